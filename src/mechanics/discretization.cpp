@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/numerics/parallel.hpp"
 #include "element_block.hpp"
 #include "linear_reconstruction.hpp"
 #include "node_entries.hpp"
@@ -62,8 +63,8 @@ void Discretization::append(const mesh::Mesh& mesh) {
   std::vector<std::int64_t> node_of_entry;
   for (const mesh::CellBlock& cells : mesh.blocks) {
     if (!mesh.is_bulk(cells.type) || cells.connectivity.empty()) continue;
-    blocks_.push_back(
-        ElementBlock::make(cells, mesh.nodes, mesh.section, {n_elements_, n_points_, node_of_entry.size(), n_inner_}));
+    blocks_.push_back(std::make_shared<ElementBlock>(
+        cells, mesh.nodes, mesh.section, BlockStart{n_elements_, n_points_, node_of_entry.size(), n_inner_}));
     const ElementBlock& block = *blocks_.back();
     node_of_entry.insert(node_of_entry.end(), block.connectivity().begin(), block.connectivity().end());
     n_elements_ += block.n_elements();

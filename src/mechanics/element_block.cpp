@@ -9,14 +9,12 @@
 #include "creepcontact/fem/bubble.hpp"
 #include "creepcontact/fem/tangents.hpp"
 #include "creepcontact/linalg/dense.hpp"
-#include "element_loops.hpp"
 
 namespace creepcontact::mechanics {
 
 namespace {
 
 using fem::Projection;
-using mesh::CellType;
 
 /// Rows: values of the shape functions of `basis` at positions in the reference cell.
 Eigen::MatrixXd shape_values(const fem::ReferenceElement& basis, const Eigen::MatrixX3d& positions) {
@@ -45,29 +43,6 @@ Eigen::MatrixXd corner_matrix(const fem::ReferenceElement& reference, const fem:
 }
 
 }  // namespace
-
-std::unique_ptr<const ElementBlock> ElementBlock::make(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes,
-                                                       const mesh::Section& section, BlockStart start) {
-  if (section.dimension() == 2) return make_of_section(cells, nodes, section, start);
-  switch (cells.type) {
-    case CellType::tet4:
-      return std::make_unique<ElementLoops<4, 1, Projection::none, false>>(cells, nodes, section, start);
-    case CellType::tet10:
-      return std::make_unique<ElementLoops<10, 8, Projection::linear, true>>(cells, nodes, section, start);
-    case CellType::hex8:
-      return std::make_unique<ElementLoops<8, 8, Projection::constant, false>>(cells, nodes, section, start);
-    case CellType::hex20:
-      return std::make_unique<ElementLoops<20, 8, Projection::linear, false>>(cells, nodes, section, start);
-    case CellType::hex27:
-      return std::make_unique<ElementLoops<27, 27, Projection::linear, false>>(cells, nodes, section, start);
-    case CellType::wedge6:
-      return std::make_unique<ElementLoops<6, 6, Projection::constant, false>>(cells, nodes, section, start);
-    case CellType::wedge15:
-      return std::make_unique<ElementLoops<15, 12, Projection::linear, true>>(cells, nodes, section, start);
-    default:
-      throw ModelError(fmt::format("cells of type {} are not volume elements", mesh::name(cells.type)));
-  }
-}
 
 namespace {
 
@@ -104,6 +79,8 @@ ElementBlock::ElementBlock(const mesh::CellBlock& cells, const std::vector<Vecto
 void ElementBlock::tabulate() {
   shape_.resize(n_nodes_, n_points_);
   derivatives_.resize(n_points_ * n_nodes_ * 3);
+  derivative_lanes_.resize(derivatives_.size());
+  shape_lanes_.resize(n_points_ * n_nodes_);
   if (fem::has_bubble(type()) && !has_plane_stress()) bubble_derivatives_.resize(n_points_, 3);
   Eigen::MatrixX3d gradient(n_nodes_, 3);
   const Vector3 middle = reference_.nodes().topRows(mesh::n_corners(type())).colwise().mean();
@@ -112,7 +89,9 @@ void ElementBlock::tabulate() {
     reference_.shape(xi, shape_.col(p));
     reference_.gradient(xi, gradient);
     for (std::size_t a = 0; a < n_nodes_; ++a)
-      for (std::size_t k = 0; k < 3; ++k) derivatives_[(p * n_nodes_ + a) * 3 + k] = gradient(a, k);
+      for (std::size_t k = 0; k < 3; ++k)
+        derivatives_[(p * n_nodes_ + a) * 3 + k] = derivative_lanes_[(3 * a + k) * n_points_ + p] = gradient(a, k);
+    for (std::size_t a = 0; a < n_nodes_; ++a) shape_lanes_[a * n_points_ + p] = shape_(a, p);
     if (!has_bubble()) continue;
     const Vector3 bubble = fem::bubble_gradient(type(), xi), from_middle = xi - middle;
     bubble_derivatives_.row(p) = bubble.transpose();

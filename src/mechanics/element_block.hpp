@@ -11,19 +11,9 @@
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/mechanics/discretization.hpp"
-#include "creepcontact/numerics/parallel.hpp"
+#include "element_view.hpp"
 
 namespace creepcontact::mechanics {
-
-/// What the bubble of an element has in common at all its points; g is its gradient less the mean.
-struct Bubble {
-  Vector3 mean_gradient;
-  Matrix3 moments;  ///< sum of w l_j g_i at (j, i), with the linear functions l_j: the projection of g_i is their sum
-  Matrix3 shear;    ///< sum of w (g g^T / 3 + g . g I): stiffness of the deviator for a shear modulus of 1
-  /// Axisymmetric sections, where g is the gradient as it is, and the divergence has the hoop strain too: its mean for
-  /// unit displacements. Else zero.
-  Vector3 mean_divergence = Vector3::Zero();
-};
 
 /// Where the block starts in the numbering of the body.
 struct BlockStart {
@@ -36,14 +26,10 @@ struct BlockStart {
 /// Immutable after construction. Element arguments are numbers within the block; point arrays belong to the body.
 class ElementBlock {
  public:
+  /// @param cells  of a type that carries material: volumes, in sections surfaces
   /// @throws ModelError if an element is inverted
-  static std::unique_ptr<const ElementBlock> make(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes,
-                                                  const mesh::Section& section, BlockStart start);
-  /// make() for the surface cells of a section.
-  static std::unique_ptr<const ElementBlock> make_of_section(const mesh::CellBlock& cells,
-                                                             const std::vector<Vector3>& nodes,
-                                                             const mesh::Section& section, BlockStart start);
-  virtual ~ElementBlock() = default;
+  ElementBlock(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes, const mesh::Section& section,
+               BlockStart start);
 
   mesh::CellType type() const { return reference_.type(); }
   std::size_t n_elements() const { return connectivity_.size() / n_coupled_; }
@@ -74,7 +60,7 @@ class ElementBlock {
   bool fits_mean_stress() const;
   bool has_plane_stress() const { return section_.analysis == settings::Analysis::plane_stress; }
   /// Replaces the mean stress by its projection in such elements. @param stress  that of the body, n_points x 6
-  virtual void fit_mean_stress(std::span<double> stress) const = 0;
+  void fit_mean_stress(std::span<double> stress) const;
   /// Volumes that belong to the points of an element.
   Eigen::Map<const Eigen::VectorXd> weights(std::size_t e) const {
     return {geometry(e) + 9 * n_points_, static_cast<Index>(n_points_)};
@@ -83,15 +69,15 @@ class ElementBlock {
   Vector3 point(std::size_t e, std::size_t p, const std::vector<Vector3>& nodes) const;
 
   // The loops over all elements of the block; see Discretization. Element forces: n_entries x 3 of the body.
-  virtual void stress(std::span<const double> u, const ElasticState& elastic, CreepStrainView creep,
-                      std::span<double> stress) const = 0;
-  virtual void internal_force(std::span<const double> stress, std::span<double> element_forces) const = 0;
-  virtual void initial_strain_force(const ElasticState& elastic, CreepStrainView creep,
-                                    std::span<double> element_forces) const = 0;
-  virtual void tangent_strain(std::span<const double> u, std::span<const Matrix6> moduli,
-                              std::span<const double> initial_stress, std::span<double> strain) const = 0;
-  virtual void initial_stress_force(std::span<const Matrix6> moduli, std::span<const double> initial_stress,
-                                    std::span<double> element_forces) const = 0;
+  void stress(std::span<const double> u, const ElasticState& elastic, const CreepStrainView& creep,
+              std::span<double> stress) const;
+  void internal_force(std::span<const double> stress, std::span<double> element_forces) const;
+  void initial_strain_force(const ElasticState& elastic, const CreepStrainView& creep,
+                            std::span<double> element_forces) const;
+  void tangent_strain(std::span<const double> u, std::span<const Matrix6> moduli,
+                      std::span<const double> initial_stress, std::span<double> strain) const;
+  void initial_stress_force(std::span<const Matrix6> moduli, std::span<const double> initial_stress,
+                            std::span<double> element_forces) const;
 
   /// @param inner_forces  += those on the bubbles, 3 per inner displacement of the body
   void body_force(std::span<const Vector3> force_density, std::span<double> element_forces,
@@ -100,13 +86,16 @@ class ElementBlock {
   Eigen::MatrixXd element_stiffness(std::size_t e, const ElasticState& elastic) const;
   Eigen::MatrixXd element_stiffness(std::size_t e, std::span<const Matrix6> moduli) const;
 
- protected:
-  ElementBlock(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes, const mesh::Section& section,
-               BlockStart start);
+ private:
+  /// Calls work(view, e, number of its first point) for all elements, in unspecified order on all threads.
+  template <typename Work>
+  void for_each_element(const Work& work) const;
+  ElementView view(std::size_t e) const;
+  std::size_t dimension() const { return static_cast<std::size_t>(section_.dimension()); }
+  Vector3 inner_force(const ElasticState& elastic, std::size_t e) const;
+  /// Where the forces on the nodes of an element are among those of the body.
+  double* forces_of(std::size_t e, std::span<double> element_forces) const;
 
-  const fem::ReferenceElement& reference() const { return reference_; }
-  /// Reference derivatives, n_points x n_nodes x 3.
-  const std::vector<double>& derivatives() const { return derivatives_; }
   /// d xi_k / d x_j at column 3 k + j, then weights: n_points x 10, column by column.
   const double* geometry(std::size_t e) const { return geometry_.data() + 10 * n_points_ * e; }
   /// The three functions that, with 1/sqrt(volume), are an orthonormal basis of the linear functions of the place with
@@ -115,18 +104,8 @@ class ElementBlock {
   /// Share of the volumetric strain of an element that stays as it is, the rest being projected; see
   /// ReferenceElement::projects_distorted_elements_only(). Precondition: fits_mean_stress()
   double unprojected_part(std::size_t e) const { return unprojected_part_[e]; }
-  /// Shape functions, n_nodes x n_points.
-  const Eigen::MatrixXd& shape() const { return shape_; }
   /// 1/x at the points of an element. Precondition: an axisymmetric section
   const double* inverse_radius(std::size_t e) const { return inverse_radius_.data() + n_points_ * e; }
-  double axial_length() const { return section_.axial_length; }
-  /// The bubble at the points, n_points; empty without one.
-  const double* bubble_values() const { return bubble_values_.data(); }
-  /// Reference derivatives of the bubble, n_points x 3; empty without one.
-  const Eigen::MatrixX3d& bubble_derivatives() const { return bubble_derivatives_; }
-  const Bubble& bubble(std::size_t e) const { return bubbles_[e]; }
-
- private:
   /// Functions of the place, orthonormal with respect to the weights of an element: n_points x 0, 1 or 4.
   Eigen::MatrixXd basis(std::size_t e) const;
   bool has_bubble() const { return bubble_derivatives_.rows() > 0; }
@@ -162,11 +141,13 @@ class ElementBlock {
   std::vector<double> linear_functions_;
   std::vector<double> unprojected_part_;
   std::vector<Bubble> bubbles_;
-  std::vector<double> derivatives_;
-  Eigen::MatrixX3d bubble_derivatives_;
-  std::vector<double> bubble_values_;  // at the points
-  std::vector<double> bubble_shares_;  // the same for integrals of body forces
-  Eigen::MatrixXd shape_;              // n_nodes x n_points
+  std::vector<double> derivatives_;       // of the reference, n_points x n_nodes x 3
+  std::vector<double> derivative_lanes_;  // the same, n_nodes x 3 x n_points
+  std::vector<double> shape_lanes_;       // shape_, n_nodes x n_points
+  Eigen::MatrixX3d bubble_derivatives_;   // of the reference, n_points x 3; empty without a bubble
+  std::vector<double> bubble_values_;     // at the points
+  std::vector<double> bubble_shares_;     // the same for integrals of body forces
+  Eigen::MatrixXd shape_;                 // n_nodes x n_points
   Eigen::MatrixXd extrapolation_;
 };
 

@@ -1,0 +1,65 @@
+#pragma once
+/// The projection of the trace of a tensor at the points of an element (fem::Projection).
+
+#include <array>
+
+#include "element_view.hpp"
+#include "lanes.hpp"
+
+namespace creepcontact::mechanics {
+
+/// First add() at all points, then finish(), then shift() at all points. D: dimension of the section.
+template <std::size_t D>
+class TraceProjection {
+ public:
+  /// @param unprojected  share of the trace that stays as it is
+  CREEPCONTACT_INLINE TraceProjection(const ElementView& element, double unprojected)
+      : element_(element),
+        share_(element.projection == fem::Projection::none ? 0 : (1 - unprojected) / 3),
+        is_linear_(element.projection == fem::Projection::linear) {}
+
+  /// False if all of the trace stays as it is.
+  CREEPCONTACT_INLINE bool changes() const { return share_ != 0; }
+
+  template <typename V>
+  CREEPCONTACT_INLINE void add(std::size_t p, const V& trace) {
+    const V weight = load<V>(element_.weight + p), weighted = weight * trace;
+    volume_.add(weight);
+    sum_.add(weighted);
+    if (!is_linear_) return;
+    for (std::size_t j = 0; j < D; ++j) sums_[j].add(weighted * linear<V>(p, j));
+  }
+
+  CREEPCONTACT_INLINE void finish() {
+    mean_ = sum_.value() / volume_.value();
+    for (std::size_t j = 0; j < D; ++j) moments_[j] = sums_[j].value();
+  }
+  CREEPCONTACT_INLINE double mean() const { return mean_; }
+  /// Sum of weight, trace and linear function j.
+  CREEPCONTACT_INLINE double moment(std::size_t j) const { return moments_[j]; }
+
+  /// What is added to each of the three normal components. @param trace  that of add()
+  template <typename V>
+  CREEPCONTACT_INLINE V shift(std::size_t p, const V& trace) const {
+    V projected = V{} + mean_;
+    if (is_linear_)
+      for (std::size_t j = 0; j < D; ++j) projected += moments_[j] * linear<V>(p, j);
+    return share_ * (projected - trace);
+  }
+
+ private:
+  template <typename V>
+  CREEPCONTACT_INLINE V linear(std::size_t p, std::size_t j) const {
+    return load<V>(element_.linear + j * element_.n_points + p);
+  }
+
+  const ElementView& element_;
+  double share_;
+  bool is_linear_;
+  LaneSum volume_, sum_;
+  std::array<LaneSum, D> sums_;
+  double mean_ = 0;
+  std::array<double, D> moments_{};
+};
+
+}  // namespace creepcontact::mechanics
