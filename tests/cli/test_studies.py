@@ -38,7 +38,7 @@ class IntegratorStudy(unittest.TestCase):
     def test_every_method_has_two_runs(self):
         methods = {row["method"] for row in self.rows}
         self.assertEqual({method.split(",")[0] for method in methods},
-                         {"auto", "cvode_bdf", "cvode_adams", "log_adams", "arkode_erk", "arkode_dirk", "rkc2",
+                         {"auto", "cvode_bdf", "cvode_adams", "log_adams", "arkode_erk", "arkode_dirk",
                           "explicit_euler", "beta_euler"})
         for method in methods:
             self.assertEqual(len(self.runs(method)), 2, method)
