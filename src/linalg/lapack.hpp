@@ -8,7 +8,7 @@ extern "C" {
 /// Eigenvalues (ascending, w) and eigenvectors (a) of a symmetric matrix.
 void dsyev_(const char* job, const char* triangle, const int* n, double* a, const int* stride, double* w, double* work,
             const int* n_work, int* info, std::size_t, std::size_t);
-/// The same of A x = w B x (type 1).
+/// Eigenvalues and eigenvectors of A x = w B x (type 1), B positive definite.
 void dsygv_(const int* type, const char* job, const char* triangle, const int* n, double* a, const int* stride_a,
             double* b, const int* stride_b, double* w, double* work, const int* n_work, int* info, std::size_t,
             std::size_t);
@@ -31,7 +31,7 @@ void dgelsy_(const int* m, const int* n, const int* n_right, double* a, const in
 /// Solution of A X = B by LU factors.
 void dgesv_(const int* n, const int* n_right, double* a, const int* stride_a, int* pivots, double* b,
             const int* stride_b, int* info);
-/// The same of a positive definite matrix, by Cholesky factors.
+/// Solution of A X = B by Cholesky factors, A positive definite.
 void dposv_(const char* triangle, const int* n, const int* n_right, double* a, const int* stride_a, double* b,
             const int* stride_b, int* info, std::size_t);
 }

@@ -71,7 +71,7 @@ ElementRotation ElementRotations::largest(std::span<const double> u, double limi
   for (std::size_t e = 0; e < slopes_.size(); ++e) {
     const std::span<const std::int64_t> cell = discretization.element_nodes(e);
     const auto at = [&](std::size_t i) { return Eigen::Map<const Vector3>(&u[3 * cell[i]]); };
-    // The gradient is a sum of (u_i - u_0) grad N_i, and half its curl is no larger.
+    // The gradient is the sum of (u_i - u_0) grad N_i, and half its curl is at most as large.
     double farthest = 0;
     for (std::size_t i = 1; i < cell.size(); ++i) farthest = std::max(farthest, (at(i) - at(0)).squaredNorm());
     const double needed = std::max(limit, largest.angle) / slopes_[e];

@@ -199,8 +199,9 @@ TEST(Viscoplastic, AutoFindsTheStiffWayUnderAPressure) {
     const double strain = gamma > 0 ? -std::log(1 - gamma * hardening / C) / gamma : hardening / C;
     for (const char* method : {"", "integrator = \"cvode_bdf\"\nlinear_solver = \"tangent\"\n"}) {
       const Outcome outcome = run_cube(law, ramp, time + method);
-      EXPECT_LT(outcome.summary.number("steps"), 300) << gamma << method;
-      EXPECT_LT(outcome.summary.number("elastic_solves"), 1500) << gamma << method;
+      // 80 to 434 steps as the last bits fall; above 60 000 where the tangent is not renewed.
+      EXPECT_LT(outcome.summary.number("steps"), 1000) << gamma << method;
+      EXPECT_LT(outcome.summary.number("elastic_solves"), 6000) << gamma << method;
       EXPECT_NEAR(outcome.history.at("cxx", end), -strain, 5e-7) << gamma << method;
     }
   }
