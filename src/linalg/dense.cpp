@@ -190,7 +190,8 @@ Matrix6 inverse_of_positive(const Matrix6& matrix) {
 
 Eigen::MatrixXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right, double threshold) {
   const int m = size(matrix.rows()), n = size(matrix.cols()), n_right = size(right.cols());
-  if (threshold <= 0) threshold = std::numeric_limits<double>::epsilon() * std::min(m, n);
+  // Round-off in a factor of a singular matrix is some units of the last place times the number of entries summed.
+  if (threshold <= 0) threshold = 10 * std::numeric_limits<double>::epsilon() * std::max(m, n);
   Eigen::MatrixXd factor = matrix, solution = Eigen::MatrixXd::Zero(std::max(m, n), n_right);
   solution.topRows(m) = right;
   const int step = stride(m), solution_step = stride(solution.rows());

@@ -13,8 +13,10 @@ namespace creepcontact::contact {
 namespace {
 
 constexpr int rows_fitted = 5;            // outwards, ...
-constexpr double max_fit_distance = 4.5;  // ... in elements: fewer where these grow
-constexpr double half_width = 1.5;        // in elements: of the strip across the edge whose rows are fitted
+// In regular meshes rows lie at multiples of half an element: those on a limit are outside, whatever the round-off.
+constexpr double inside = 1 - 1e-9;
+constexpr double max_fit_distance = 4.5 * inside;  // ... in elements: fewer where these grow
+constexpr double half_width = 1.5 * inside;        // in elements: of the strip across the edge whose rows are fitted
 constexpr double punch_overhang =
     0.1;  // in elements: how far the closed rows, as a punch, reach beyond the last of them
 constexpr double max_lateral_distance = 2;   // in elements: over which the end of the punch is averaged along the edge
