@@ -12,7 +12,7 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr int rows_fitted = 5;            // outwards, ...
+constexpr int rows_fitted = 5;  // outwards, ...
 // In regular meshes rows lie at multiples of half an element: those on a limit are outside, whatever the round-off.
 constexpr double inside = 1 - 1e-9;
 constexpr double max_fit_distance = 4.5 * inside;  // ... in elements: fewer where these grow
