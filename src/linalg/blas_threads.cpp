@@ -1,19 +1,17 @@
 #include "blas_threads.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <vector>
 
-#include "creepcontact/base/cores.hpp"
 #include "creepcontact/linalg/blas_address_space.hpp"
 #include "creepcontact/linalg/factorizations.hpp"
 
-// Weak: absent with another BLAS or without an OpenMP runtime.
-extern "C" {
-[[gnu::weak]] void openblas_set_num_threads(int);
-[[gnu::weak]] int omp_get_max_threads(void);
-}
+// Weak: absent with another BLAS.
+extern "C" [[gnu::weak]] void openblas_set_num_threads(int);
 
 namespace creepcontact::linalg {
 
@@ -27,8 +25,7 @@ void set_threads(int n) {
 }
 
 int all_cores() {
-  if (omp_get_max_threads) return omp_get_max_threads();  // follows the user's limit on threads
-  return cores();
+  return omp_get_max_threads();  // follows the user's limit on threads
 }
 
 }  // namespace
