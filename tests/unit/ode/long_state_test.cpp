@@ -1,11 +1,10 @@
 /// States long enough for the threaded vector operations give what the short ones give.
 
+#include <omp.h>
+
 #include <cmath>
 
 #include "every_integrator.hpp"
-
-extern "C" void omp_set_num_threads(int);
-extern "C" int omp_get_max_threads();
 
 namespace creepcontact::ode {
 namespace {
