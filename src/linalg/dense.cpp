@@ -1,11 +1,15 @@
 #include "creepcontact/linalg/dense.hpp"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <new>
 #include <vector>
 
 #include "creepcontact/base/index.hpp"
+#include "creepcontact/linalg/blas_address_space.hpp"
 #include "lapack.hpp"
 
 namespace creepcontact::linalg {
@@ -13,7 +17,23 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+/// Without room for its buffer OpenBLAS would try for ever to get it. It keeps the buffer: one look is enough.
+/// @throws std::bad_alloc
+void expect_room_for_buffer() {
+  static const bool has_room = [] {
+    const auto bytes = static_cast<std::size_t>(blas_address_space(1));
+    if (bytes == 0) return true;
+    void* const room = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (room == MAP_FAILED) throw std::bad_alloc();
+    munmap(room, bytes);
+    return true;
+  }();
+  static_cast<void>(has_room);
+}
+
+/// A dimension as LAPACK takes it: every routine is called with some.
 int size(Index n) {
+  expect_room_for_buffer();
   return static_cast<int>(n);
 }
 /// Distance of the columns of an array with so many rows: LAPACK wants at least 1.
@@ -76,7 +96,7 @@ SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix) {
 Tensor6 eigenvalue_ratios(const Matrix6& a, const Matrix6& b) {
   Matrix6 left = a, right = b;
   Tensor6 values;
-  const int type = 1, n = 6;
+  const int type = 1, n = size(6);
   const bool done = call([&](double* work, const int* n_work, int* info) {
     dsygv_(&type, "N", "L", &n, left.data(), &n, right.data(), &n, values.data(), work, n_work, info, 1, 1);
   });
@@ -159,7 +179,7 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix) {
 Matrix6 inverse(const Matrix6& matrix) {
   Matrix6 factors = matrix, result = Matrix6::Identity();
   std::array<int, 6> pivots;
-  const int n = 6;
+  const int n = size(6);
   int info = 0;
   dgesv_(&n, &n, factors.data(), &n, pivots.data(), result.data(), &n, &info);
   if (info != 0) result.setConstant(nan);
