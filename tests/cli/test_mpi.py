@@ -111,7 +111,9 @@ class MpiResults(MpiTest):
 
     def test_fields_and_reports_are_written_as_by_one_process(self):
         directories = [self.run_example(n, "shrink_fit", f"of_{n}", "time.end=10") for n in (0, 3)]
-        names = [sorted(path.name for path in directory.iterdir()) for directory in directories]
+        # A run that takes long, as on a busy machine, keeps the checkpoint before too.
+        names = [sorted(path.name for path in directory.iterdir() if path.name != "checkpoint.previous.h5")
+                 for directory in directories]
         self.assertEqual(names[0], names[1])
         self.assertIn("fields.pvd", names[0])
 
