@@ -3,7 +3,7 @@
 #include <sys/mman.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <limits>
 #include <new>
 #include <vector>
@@ -31,9 +31,7 @@ void expect_room_for_buffer() {
   static_cast<void>(has_room);
 }
 
-/// A dimension as LAPACK takes it: every routine is called with some.
 int size(Index n) {
-  expect_room_for_buffer();
   return static_cast<int>(n);
 }
 /// Distance of the columns of an array with so many rows: LAPACK wants at least 1.
@@ -44,6 +42,7 @@ int stride(Index rows) {
 /// Calls routine(work, n_work, info) first for the size of the work space, then with it. @return  true on success
 template <typename Routine>
 bool call(const Routine& routine) {
+  expect_room_for_buffer();
   double best = 0;
   int n_work = -1, info = 0;
   routine(&best, &n_work, &info);
@@ -51,6 +50,21 @@ bool call(const Routine& routine) {
   std::vector<double> work(static_cast<std::size_t>(n_work));
   routine(work.data(), &n_work, &info);
   return info == 0;
+}
+
+/// A^-1 result. @param factor  A, overwritten @param is_positive  A is symmetric and positive definite
+template <typename Matrix, typename Right>
+Right solved(Matrix factor, Right result, bool is_positive) {
+  expect_room_for_buffer();
+  const int n = size(factor.rows()), n_right = size(result.cols()), step = stride(n);
+  Eigen::Matrix<int, Matrix::RowsAtCompileTime, 1> pivots(factor.rows());
+  int info = 0;
+  if (is_positive)
+    dposv_("L", &n, &n_right, factor.data(), &step, result.data(), &step, &info, 1);
+  else
+    dgesv_(&n, &n_right, factor.data(), &step, pivots.data(), result.data(), &step, &info);
+  if (info != 0) result.setConstant(nan);
+  return result;
 }
 
 /// A = Q R: R in the upper triangle, what makes Q below it.
@@ -96,7 +110,7 @@ SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix) {
 Tensor6 eigenvalue_ratios(const Matrix6& a, const Matrix6& b) {
   Matrix6 left = a, right = b;
   Tensor6 values;
-  const int type = 1, n = size(6);
+  const int type = 1, n = 6;
   const bool done = call([&](double* work, const int* n_work, int* info) {
     dsygv_(&type, "N", "L", &n, left.data(), &n, right.data(), &n, values.data(), work, n_work, info, 1, 1);
   });
@@ -167,45 +181,19 @@ Eigen::VectorXi column_pivots(const Eigen::MatrixXd& matrix) {
 }
 
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix) {
-  Eigen::MatrixXd factors = matrix, result = Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols());
-  const int n = size(matrix.rows()), step = stride(n);
-  std::vector<int> pivots(static_cast<std::size_t>(n));
-  int info = 0;
-  dgesv_(&n, &n, factors.data(), &step, pivots.data(), result.data(), &step, &info);
-  if (info != 0) result.setConstant(nan);
-  return result;
+  return solved(matrix, Eigen::MatrixXd::Identity(matrix.rows(), matrix.rows()).eval(), false);
 }
-
 Matrix6 inverse(const Matrix6& matrix) {
-  Matrix6 factors = matrix, result = Matrix6::Identity();
-  std::array<int, 6> pivots;
-  const int n = size(6);
-  int info = 0;
-  dgesv_(&n, &n, factors.data(), &n, pivots.data(), result.data(), &n, &info);
-  if (info != 0) result.setConstant(nan);
-  return result;
-}
-
-namespace {
-/// result = A^-1 result. @param factor  A, overwritten
-template <typename Matrix, typename Right>
-Right solved(Matrix factor, Right result) {
-  const int n = size(factor.rows()), n_right = size(result.cols()), step = stride(n);
-  int info = 0;
-  dposv_("L", &n, &n_right, factor.data(), &step, result.data(), &step, &info, 1);
-  if (info != 0) result.setConstant(nan);
-  return result;
-}
-}  // namespace
-
-Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
-  return solved(matrix, right);
-}
-Tensor6 solve_positive(const Matrix6& matrix, const Tensor6& right) {
-  return solved(matrix, right);
+  return solved(matrix, Matrix6::Identity().eval(), false);
 }
 Matrix6 inverse_of_positive(const Matrix6& matrix) {
-  return solved(matrix, Matrix6(Matrix6::Identity()));
+  return solved(matrix, Matrix6::Identity().eval(), true);
+}
+Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
+  return solved(matrix, right, true);
+}
+Tensor6 solve_positive(const Matrix6& matrix, const Tensor6& right) {
+  return solved(matrix, right, true);
 }
 
 Eigen::MatrixXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right, double threshold) {

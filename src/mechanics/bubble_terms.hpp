@@ -54,11 +54,11 @@ class BubbleTerms {
     }
     const V bulk = weight * (lambda + third * twice_mu);
     for (std::size_t i = 0, entry = 0; i < 3; ++i) {
-      const V weighted = stiffness * gradient[i], linear = bulk * linear_function<V>(p, i);
+      const V weighted = stiffness * gradient[i], linear = bulk * linear_function<V>(element_, p, i);
       bulk_moments_[i].add(linear);
       for (std::size_t j = 0; j <= i; ++j, ++entry) {
         squares_[entry].add(weighted * gradient[j]);
-        linear_squares_[entry].add(linear * linear_function<V>(p, j));
+        linear_squares_[entry].add(linear * linear_function<V>(element_, p, j));
       }
     }
   }
@@ -95,7 +95,7 @@ class BubbleTerms {
     const V x = load<V>(&gradients_[0][p]), y = load<V>(&gradients_[1][p]), z = load<V>(&gradients_[2][p]);
     const V xx = a_[0] * x, yy = a_[1] * y, zz = a_[2] * z;
     V mean = -third * (xx + yy + zz);
-    for (std::size_t j = 0; j < 3; ++j) mean += slopes_[j] * linear_function<V>(p, j);
+    for (std::size_t j = 0; j < 3; ++j) mean += slopes_[j] * linear_function<V>(element_, p, j);
     strain[0] += xx + mean;
     strain[1] += yy + mean;
     strain[2] += zz + mean;
@@ -118,10 +118,6 @@ class BubbleTerms {
             sums[entry].value();
     return result;
   }
-  template <typename V>
-  CREEPCONTACT_INLINE V linear_function(std::size_t p, std::size_t j) const {
-    return load<V>(element_.linear + j * element_.n_points + p);
-  }
 
   const ElementView& element_;
   bool is_uniform_;
@@ -142,8 +138,8 @@ inline Eigen::Matrix<double, 6, 3> bubble_strain_matrix(const ElementView& eleme
   Eigen::Matrix<double, 6, 3> result;
   result << x, 0, 0, 0, y, 0, 0, 0, z, yy, xy, 0, 0, zy, yy, zy, 0, xy;
   result(2, 0) += hoop;
-  const std::size_t n = element.n_points;
-  const Eigen::RowVector3d linear(element.linear[p], element.linear[n + p], element.linear[2 * n + p]);
+  const Eigen::RowVector3d linear(linear_function<double>(element, p, 0), linear_function<double>(element, p, 1),
+                                  linear_function<double>(element, p, 2));
   Eigen::RowVector3d mean = linear * element.bubble->moments - Eigen::RowVector3d(x, y, z);
   mean[0] -= hoop;
   result.topRows<3>().rowwise() += (mean + element.bubble->mean_divergence.transpose()) / 3;

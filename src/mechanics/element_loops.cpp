@@ -94,10 +94,7 @@ class Loop {
   CREEPCONTACT_INLINE void project_trace(double unprojected, Tensors& values) const {
     TraceProjection<D> projection(element_, unprojected);
     if (!projection.changes()) return;
-    for_each_lane(
-        n_points_, [&]<typename V>(std::size_t p)
-                       __attribute__((always_inline)) { projection.add(p, trace(tensor_at<V>(values, p))); });
-    projection.finish();
+    measure(values, projection);
     for_each_lane(
         n_points_, [&]<typename V>(std::size_t p) __attribute__((always_inline)) {
           LaneTensor<V> tensor = tensor_at<V>(values, p);
@@ -117,12 +114,7 @@ class Loop {
   /// Nodal forces of sign * stress.
   CREEPCONTACT_INLINE void force(double sign, const Tensors& stress, double* forces) const {
     TraceProjection<D> projection(element_, element_.unprojected);
-    if (projection.changes()) {
-      for_each_lane(
-          n_points_, [&]<typename V>(std::size_t p)
-                         __attribute__((always_inline)) { projection.add(p, trace(tensor_at<V>(stress, p))); });
-      projection.finish();
-    }
+    if (projection.changes()) measure(stress, projection);
     std::array<Column, D * D> flux;  // weight * component i of stress . grad xi_k
     Column hoop;
     LaneSum axial;
@@ -180,6 +172,13 @@ class Loop {
   }
 
  private:
+  CREEPCONTACT_INLINE void measure(const Tensors& values, TraceProjection<D>& projection) const {
+    for_each_lane(
+        n_points_, [&]<typename V>(std::size_t p)
+                       __attribute__((always_inline)) { projection.add(p, trace(tensor_at<V>(values, p))); });
+    projection.finish();
+  }
+
   using NodalValues = std::array<double, ElementView::max_nodes * D>;
 
   CREEPCONTACT_INLINE NodalValues of_nodes(const double* u) const {

@@ -8,6 +8,12 @@
 
 namespace creepcontact::mechanics {
 
+/// ElementBlock::linear_functions() at adjacent points.
+template <typename V>
+CREEPCONTACT_INLINE V linear_function(const ElementView& element, std::size_t p, std::size_t j) {
+  return load<V>(element.linear + j * element.n_points + p);
+}
+
 /// First add() at all points, then finish(), then shift() at all points. D: dimension of the section.
 template <std::size_t D>
 class TraceProjection {
@@ -27,7 +33,7 @@ class TraceProjection {
     volume_.add(weight);
     sum_.add(weighted);
     if (!is_linear_) return;
-    for (std::size_t j = 0; j < D; ++j) sums_[j].add(weighted * linear<V>(p, j));
+    for (std::size_t j = 0; j < D; ++j) sums_[j].add(weighted * linear_function<V>(element_, p, j));
   }
 
   CREEPCONTACT_INLINE void finish() {
@@ -43,16 +49,11 @@ class TraceProjection {
   CREEPCONTACT_INLINE V shift(std::size_t p, const V& trace) const {
     V projected = V{} + mean_;
     if (is_linear_)
-      for (std::size_t j = 0; j < D; ++j) projected += moments_[j] * linear<V>(p, j);
+      for (std::size_t j = 0; j < D; ++j) projected += moments_[j] * linear_function<V>(element_, p, j);
     return share_ * (projected - trace);
   }
 
  private:
-  template <typename V>
-  CREEPCONTACT_INLINE V linear(std::size_t p, std::size_t j) const {
-    return load<V>(element_.linear + j * element_.n_points + p);
-  }
-
   const ElementView& element_;
   double share_;
   bool is_linear_;

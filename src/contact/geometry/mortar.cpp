@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -212,21 +214,11 @@ class Products {
 Matrix3 rotation(const Vector3& from, const Vector3& to) {
   constexpr double direction_tolerance = 1e-12;
   if ((to - from).norm() < direction_tolerance) return Matrix3::Identity();
-  // Not by Eigen's Quaternion, whose FromTwoVectors takes ten seconds to compile.
-  const double cosine = from.dot(to);
-  if (cosine < -1 + direction_tolerance) {  // opposite: half a turn about any normal
-    const Vector3 axis = from.unitOrthogonal();
-    return 2 * axis * axis.transpose() - Matrix3::Identity();
-  }
-  const Vector3 sine = from.cross(to), shared = sine / (1 + cosine);
-  Matrix3 result = shared * sine.transpose();
-  for (Index i = 0; i < 3; ++i) {
-    const Index j = (i + 1) % 3, k = (i + 2) % 3;
-    result(i, i) += cosine;
-    result(k, j) += sine[i];
-    result(j, k) -= sine[i];
-  }
-  return result;
+  // Not by Quaternion::FromTwoVectors, which takes ten seconds to compile.
+  const Vector3 normal = from.cross(to);
+  const double sine = normal.norm();
+  const Vector3 axis = sine > 0 ? Vector3(normal / sine) : from.unitOrthogonal();
+  return Eigen::AngleAxisd(std::atan2(sine, from.dot(to)), axis).toRotationMatrix();
 }
 
 void Assembler::add_facet(std::size_t f, const std::vector<Segment>& segments) {
