@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+// The names are those of the Fortran symbols.
+// NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
 /// Eigenvalues (ascending, w) and eigenvectors (a) of a symmetric matrix.
 void dsyev_(const char* job, const char* triangle, const int* n, double* a, const int* stride, double* w, double* work,
@@ -35,3 +37,4 @@ void dgesv_(const int* n, const int* n_right, double* a, const int* stride_a, in
 void dposv_(const char* triangle, const int* n, const int* n_right, double* a, const int* stride_a, double* b,
             const int* stride_b, int* info, std::size_t);
 }
+// NOLINTEND(readability-identifier-naming)
