@@ -28,7 +28,7 @@ struct StateVariable {
 
 inline constexpr StateVariable damage{
     .name = "damage",
-    .description = "damage of `kachanov_rabotnov` or `omega`, 0 to 1; 0 where there is none",
+    .description = "damage of `kachanov_rabotnov`, `omega` or `hayhurst`, 0 to 1; 0 where there is none",
     .label = "damage",
     .maximum = 1};
 inline constexpr StateVariable life_fraction{
@@ -50,8 +50,8 @@ inline constexpr StateVariable creep_fatigue{
 inline constexpr StateVariable remaining_life{
     .name = "remaining_life",
     .description =
-        "time to rupture if stress and temperature stay as they are, from `kachanov_rabotnov`, `omega` and "
-        "rupture data; 1e30 where no life is consumed",
+        "time to rupture if stress and temperature stay as they are, from `kachanov_rabotnov`, `omega`, "
+        "`hayhurst` and rupture data; 1e30 where no life is consumed",
     .label = "remaining life",
     .dimension = Dimension::time,
     .is_reciprocal = true};

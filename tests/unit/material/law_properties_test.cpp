@@ -34,12 +34,15 @@ Function expression_rate(const std::string& text) {
 }
 
 Function stress_function(const std::string& text) {
-  return Function::expression(text, {"q", "T"});
+  return Function::expression(text, {"q", "T", "U"});
 }
 
 const std::map<std::string, Sample> samples{
     {"norton", {{{1e-13}, {5.0}}}},
     {"garofalo", {{{1e-4}, {0.01}, {3.5}}}},
+    {"kocks_mecking", {{{1e10}, {-0.06}, {-0.0432}, {2.5e-7}, {1.380649e-20}, {6e4}}}},
+    {"rate_table",
+     {{{50.0, 100.0, 200.0, 60.0, 150.0}, {2e-5, 3e-4, 2e-2, 1e-3, 5e-2}, {400.0, 400.0, 400.0, 600.0, 600.0}}}},
     {"time_hardening", {.parameters = {{1e-13}, {5.0}, {0.4}}, .closed_form = true}},
     {"graham_walles",
      {.parameters = {{1e-8, 1e-13, 1e-15}, {2.0, 5.0, 5.0}, {1.0 / 3, 1.0, 3.0}}, .closed_form = true}},
@@ -48,6 +51,18 @@ const std::map<std::string, Sample> samples{
     {"ageing", {{{1e-13}, {5.0}, {0.4}}}},
     {"soderberg", {.parameters = {{1e-8}, {3.0}, {0.5}, {1e-13}, {5.0}}, .closed_form = true}},
     {"rcc_mr", {.parameters = {{1e-13}, {0.4}, {5.0}, {1e-18}, {5.5}, {1e5}, {-2.0}}, .closed_form = true}},
+    {"blackburn",
+     {.parameters = {{1e-3}, {0.01}, {3.0}, {0.5}, {2.0}, {3.0}, {0.01}, {2e-4}, {0.1}, {0.01}, {2.0}},
+      .closed_form = true}},
+    {"booker",
+     {{{400.0},
+       {stress_function("1e-4*q*U/400")},
+       {stress_function("1e-3*q^1.5*(1 + T/1000)")},
+       {stress_function("1e-7*q^2")},
+       {stress_function("4e-4*q")},
+       {stress_function("2e-5*q^2*U/400")},
+       {stress_function("1e-8*q^2.5")},
+       {stress_function("1e3*exp(-q/U)")}}}},
     {"omega",
      {{{stress_function("1e-13*q^5*(1 + T/1000)*exp(q/500)")},
        {stress_function("25 + 200/q")},
@@ -63,6 +78,7 @@ const std::map<std::string, Sample> samples{
                      {stress_function("1e-10*q^4")},
                      {stress_function("1e-3*q")}},
       .closed_form = true}},
+    {"hayhurst", {{{1e-4}, {50.0}, {3e3}, {0.33}, {60.0}, {1.0}, {-280.0}, {1.0}, {0.2}, {0.01}, {1e-4}, {0.4}}}},
     {"kachanov_rabotnov", {{{1e-13}, {5.0}, {1e-12}, {4.0}, {6.0}, {0.6}}}},
     {"lemaitre", {.parameters = {{1500.0}, {8.0}, {6.0}}, .closed_form = true}},
     {"chaboche",

@@ -1,0 +1,147 @@
+#include "hayhurst.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coaxial.hpp"
+
+namespace creepcontact::material {
+namespace {
+
+constexpr double min_integrity = 1e-14;  // of 1 - D and 1 - phi
+
+/// 1 - z, and its derivative.
+struct Integrity {
+  explicit Integrity(double z) : value(std::max(1.0 - z, min_integrity)), slope(value > min_integrity ? -1.0 : 0.0) {}
+  double value, slope;
+};
+
+}  // namespace
+
+Hayhurst::Hayhurst(const ParameterValues& values)
+    : CreepLaw(first(values, damage_stress)), tension_(DamagingTension(values[damage_stress].at(0)({}))) {}
+
+bool Hayhurst::uses_mean_stress() const {
+  return !parameters()[A].is_zero() && !parameters()[alpha].is_zero();
+}
+
+Hayhurst::Flow Hayhurst::flow(double q, const PointState& at) {
+  const std::span<const double> p = at.parameters, z = at.internal;
+  const Integrity unaged(z[ageing]), whole(z[damage_variable]);
+  const double per_q = (1.0 - z[hardening] - z[softening]) / (p[K] * unaged.value * whole.value);
+  const double per_hardening = -q / (p[K] * unaged.value * whole.value);
+  const double f = p[rate0] * std::sinh(per_q * q), slope = p[rate0] * std::cosh(per_q * q);
+  return {f,
+          slope * per_q,
+          {slope * per_hardening, slope * per_hardening, -slope * per_q * q * unaged.slope / unaged.value,
+           -slope * per_q * q * whole.slope / whole.value}};
+}
+
+double Hayhurst::damage_rate(const PointState& at, double S) const {
+  return at.parameters[A] * std::sinh(S / at.parameters[sigma0]);
+}
+
+void Hayhurst::rate(const PointState& at, PointRate into) const {
+  const std::span<const double> p = at.parameters, z = at.internal;
+  const Deviator now = deviator(at.stress);
+  std::ranges::fill(into.internal, 0.0);
+  if (now.q > 0.0) {
+    const double f = flow(now.q, at).f;
+    add_flow(now, f, into.creep_strain);
+    into.internal[hardening] = p[h1] / now.q * (p[H1_limit] - p[delta1] * z[hardening]) * f;
+    into.internal[softening] = p[h2] / now.q * (p[H2_limit] - p[delta2] * z[softening]) * f;
+  }
+  into.internal[ageing] = p[kc] / 3.0 * std::pow(Integrity(z[ageing]).value, 4);
+  if (p[A] > 0.0) into.internal[damage_variable] = damage_rate(at, StressMeasure(at.stress, p[alpha], tension_).value);
+}
+
+void Hayhurst::derivative(const PointState& at, const PointChange& change, PointRate into) const {
+  const std::span<const double> p = at.parameters, z = at.internal;
+  const Deviator now = deviator(at.stress);
+  const Tensor6 ds = tensor::deviator(change.stress);
+  add_tangent(now, stress_tangent(at), ds, into.creep_strain);
+  std::ranges::fill(into.internal, 0.0);
+  if (now.q > 0.0) {
+    const Flow of = flow(now.q, at);
+    double by_variables = 0;
+    for (std::size_t i = 0; i < n_variables; ++i) by_variables += of.by[i] * change.internal[i];
+    add_flow(now, by_variables, into.creep_strain);
+    const double dq = 1.5 * now.s.dot(ds) / now.q;
+    const double secant = of.f / now.q;
+    const double d_secant = (of.by_q * dq + by_variables - secant * dq) / now.q;
+    into.internal[hardening] =
+        p[h1] * ((p[H1_limit] - p[delta1] * z[hardening]) * d_secant - p[delta1] * change.internal[hardening] * secant);
+    into.internal[softening] =
+        p[h2] * ((p[H2_limit] - p[delta2] * z[softening]) * d_secant - p[delta2] * change.internal[softening] * secant);
+  }
+  const Integrity unaged(z[ageing]);
+  into.internal[ageing] = 4.0 / 3.0 * p[kc] * std::pow(unaged.value, 3) * unaged.slope * change.internal[ageing];
+  if (p[A] == 0.0) return;
+  const StressMeasure S(at.stress, p[alpha], tension_);
+  into.internal[damage_variable] = p[A] * std::cosh(S.value / p[sigma0]) / p[sigma0] * S.gradient.dot(change.stress);
+}
+
+StressTangent Hayhurst::stress_tangent(const PointState& at) const {
+  const double q = deviator(at.stress).q;
+  const Flow of = flow(q, at);
+  return coaxial_tangent(q, of.f, of.by_q);
+}
+
+bool Hayhurst::evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const {
+  const double D = at.internal[damage_variable];
+  if (&variable == &material::damage) {
+    into[0] = std::min(D, 1.0);
+    return true;
+  }
+  if (&variable != &material::remaining_life) return false;
+  const double S = StressMeasure(at.stress, at.parameters[alpha], tension_).value;
+  into[0] = damage_rate(at, S) / Integrity(D).value;
+  return true;
+}
+
+LawInfo hayhurst_info() {
+  using Law = Hayhurst;
+  const double any = -std::numeric_limits<double>::infinity();
+  const auto optional = [](const char* key, const std::string& meaning, double minimum, double value) {
+    return ParameterInfo{
+        .key = key, .description = meaning, .minimum = minimum, .strict = false, .fallback = {{value}}};
+  };
+  return {
+      "hayhurst",
+      "rate = rate0 sinh(q (1-H1-H2)/(K (1-phi) (1-D))), dHi = (hi/q) (Hi_limit - delta_i Hi) d eps, dphi/dt = kc/3 "
+      "(1-phi)^4, dD/dt = A sinh(S/sigma0), S = alpha max(sigma_1, 0) + (1-alpha) q",
+      "Z. L. Kowalewski, D. R. Hayhurst, B. F. Dyson, 1994; code_aster, R5.03.13",
+      law_table(
+          Row<Law::rate0>{{.key = "rate0", .description = "rate factor, EPS0 of code_aster [1/time]"}},
+          Row<Law::K>{{.key = "K", .description = "resistance, K of code_aster [stress]"}},
+          Row<Law::h1>{{.key = "h1",
+                        .description = "modulus of the primary hardening H1, H1 of code_aster [stress]",
+                        .strict = false}},
+          Row<Law::H1_limit>{{.key = "H1_limit",
+                              .description = "H1 saturates at H1_limit/delta1, H1ST of code_aster [-]",
+                              .strict = false,
+                              .maximum = 1.0}},
+          Row<Law::sigma0>{{.key = "sigma0", .description = "stress scale of the damage, SIG0 of code_aster [stress]"}},
+          Row<Law::delta1>{optional("delta1", "recovery of H1, DELTA1 of code_aster; 0: H1 has no limit [-]", 0, 1)},
+          Row<Law::h2>{optional(
+              "h2", "modulus of the second hardening H2, H2 of code_aster; negative: softening [stress]", any, 0)},
+          Row<Law::H2_limit>{optional("H2_limit", "the same for H2, H2ST of code_aster [-]", any, 1)},
+          Row<Law::delta2>{optional("delta2", "the same for H2, DELTA2 of code_aster [-]", 0, 0)},
+          Row<Law::kc>{optional("kc", "rate of ageing, KC of code_aster [1/time]", 0, 0)},
+          Row<Law::A>{optional("A", "damage rate factor, BIGA of code_aster [1/time]", 0, 0)},
+          Row<Law::alpha>{{.key = "alpha",
+                           .description = "weight of the tension in S, ALPHAD of code_aster [-]",
+                           .strict = false,
+                           .fallback = {{0.5}},
+                           .maximum = 1.0}},
+          Row<Law::damage_stress>{
+              {.key = "damage_stress",
+               .description = "tension in S: largest principal stress, or trace of the stress (S_EQUI_D of code_aster "
+                              "not 0)",
+               .fallback = {{0.0}},
+               .words = {"principal", "trace"}}}),
+      construct<Law>,
+      {&damage, &remaining_life}};
+}
+
+}  // namespace creepcontact::material
