@@ -32,6 +32,7 @@ std::string activated_name(const ParameterInfo& constant) {
 ParameterInfo absolute_zero_key() {
   return {.key = "absolute_zero",
           .description = "absolute zero in your unit of temperature: -273.15 for degrees Celsius, 0 for kelvin",
+          .dimension = unit::temperature,
           .minimum = -std::numeric_limits<double>::infinity(),
           .strict = false,
           .fallback = {{-273.15}},
@@ -63,10 +64,12 @@ std::vector<ParameterInfo> with_arrhenius(std::vector<ParameterInfo> own) {
   own.push_back({.key = "activation_energy",
                  .description = "activation energy Q: exp(-Q/(R (T - absolute_zero))) multiplies " +
                                 fmt::format("{}", fmt::join(names, " and ")) + " [energy/mol]",
+                 .dimension = unit::none,
                  .strict = false,
                  .fallback = {{0.0}}});
   own.push_back({.key = "gas_constant",
                  .description = "gas constant R [energy/(mol degree)]",
+                 .dimension = unit::per_degree,
                  .fallback = {{8.314462618}},
                  .variables = {}});
   own.push_back(absolute_zero_key());

@@ -52,16 +52,19 @@ bool Blackburn::evaluate(const StateVariable& variable, const PointState& at, st
 LawInfo blackburn_info() {
   using Law = Blackburn;
   const double any = -std::numeric_limits<double>::infinity();
-  const auto number = [](const char* key, const std::string& meaning, double minimum, double value) {
+  const auto number = [](const char* key, const std::string& meaning, const UnitPowers& dimension, double minimum,
+                         double value) {
     return ParameterInfo{.key = key,
                          .description = meaning,
+                         .dimension = dimension,
                          .minimum = minimum,
                          .strict = false,
                          .fallback = {{value}},
                          .variables = {}};
   };
-  const auto unit = [](const char* key, const std::string& meaning) {
-    return ParameterInfo{.key = key, .description = meaning, .fallback = {{1.0}}, .variables = {}};
+  const auto scale = [](const char* key, const std::string& meaning, const UnitPowers& dimension) {
+    return ParameterInfo{
+        .key = key, .description = meaning, .dimension = dimension, .fallback = {{1.0}}, .variables = {}};
   };
   return {
       "blackburn",
@@ -71,47 +74,61 @@ LawInfo blackburn_info() {
       with_arrhenius(law_table(
           Row<Law::A>{{.key = "A",
                        .description = "factor of the steady rate em [strain_unit/time]",
+                       .dimension = unit::per_time,
                        .strict = false,
                        .activation = Activation::rate}},
-          Row<Law::beta>{{.key = "beta", .description = "inverse stress in g [1/stress_unit]"}},
+          Row<Law::beta>{
+              {.key = "beta", .description = "inverse stress in g [1/stress_unit]", .dimension = unit::none}},
           Row<Law::n>{stress_exponent("n", "exponent of g [-]")},
           Row<Law::B>{{.key = "B",
                        .description = "factor of the rate r of the slow transient [1/time]",
+                       .dimension = unit::per_time,
                        .activation = Activation::rate}},
-          Row<Law::C>{{.key = "C", .description = "strain et of the slow transient, times r/em [-]", .strict = false}},
+          Row<Law::C>{{.key = "C",
+                       .description = "strain of the slow transient, et = C em/r [-]",
+                       .dimension = unit::none,
+                       .strict = false}},
           Row<Law::D>{{.key = "D",
                        .description = "factor of the rate s of the fast transient [1/time]",
+                       .dimension = unit::per_time,
                        .strict = false,
                        .activation = Activation::rate}},
           Row<Law::G>{{.key = "G",
                        .description = "strain ex of the fast transient at sigma = 0 [strain_unit]",
+                       .dimension = unit::none,
                        .minimum = any,
                        .strict = false,
                        .fallback = {{0.0}}}},
           Row<Law::H>{{.key = "H",
                        .description = "its growth with sigma [strain_unit/stress_unit]; negative strains count as 0",
+                       .dimension = unit::none,
                        .minimum = any,
                        .strict = false,
                        .fallback = {{0.0}}}},
           Row<Law::L>{{.key = "L",
                        .description = "r is at least L sigma^(n - l) [1/time]",
+                       .dimension = unit::per_time,
                        .strict = false,
                        .fallback = {{0.0}}}},
           Row<Law::beta_r>{{.key = "beta_r",
                             .description = "beta in g_r, of both transients [1/stress_unit]; not given: `beta`",
+                            .dimension = unit::none,
                             .fallback = std::vector<Function>{}}},
           Row<Law::n_r>{{.key = "n_r",
                          .description = "n in g_r [-]; not given: `n`",
+                         .dimension = unit::none,
                          .minimum = 1.0,
                          .strict = false,
                          .fallback = std::vector<Function>{}}},
-          Row<Law::s_min>{number("s_min", "s is at least this [1/time]", 0, 0)},
-          Row<Law::l>{number("l", "see `L` [-]", any, 3.6)},
-          Row<Law::threshold>{number("threshold", "sigma below which ex is 0 [stress_unit]", 0, 0)},
-          Row<Law::stress_unit>{unit("stress_unit",
-                                     "unit of stress of the constants, sigma = q/stress_unit; psi in MPa: 0.00689476 "
-                                     "[stress]")},
-          Row<Law::strain_unit>{unit("strain_unit", "unit of strain of the constants; percent: 0.01 [-]")})),
+          Row<Law::s_min>{number("s_min", "s is at least this [1/time]", unit::per_time, 0, 0)},
+          Row<Law::l>{number("l", "see `L` [-]", unit::none, any, 3.6)},
+          Row<Law::threshold>{number("threshold", "sigma below which ex is 0 [stress_unit]", unit::none, 0, 0)},
+          Row<Law::stress_unit>{scale("stress_unit",
+                                      "unit of stress of the constants, sigma = q/stress_unit; psi in MPa: 0.00689476 "
+                                      "[stress]",
+                                      unit::stress)},
+          Row<Law::strain_unit>{
+              scale("strain_unit", "unit of strain of the constants; percent: 0.01 [-]", unit::none)})),
       construct<Law>,
       {&hardening_strain}};
 }

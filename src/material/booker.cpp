@@ -32,36 +32,44 @@ bool Booker::evaluate(const StateVariable& variable, const PointState& at, std::
 
 LawInfo booker_info() {
   using Law = Booker;
-  const auto function = [](const char* key, const std::string& meaning) {
-    return ParameterInfo{.key = key, .description = meaning, .strict = false, .variables = {"q", "T", "U"}};
+  const auto function = [](const char* key, const std::string& meaning, const UnitPowers& dimension) {
+    return ParameterInfo{
+        .key = key, .description = meaning, .dimension = dimension, .strict = false, .variables = {"q", "T", "U"}};
   };
   return {
       "booker",
       "strain at constant stress = the smaller of e_1(t), e_2(t) up to t = change, then e_2 from this strain on; e_i = "
       "limit_i speed_i t/(1 + speed_i t) + rate_i t",
       "M. K. Booker, ORNL; ASME III-5 HBB",
-      law_table(Row<Law::strength>{{.key = "strength",
-                                    .description =
-                                        "tensile strength, U in the expressions of the other keys [their stress]"}},
-                Row<Law::limit_1>{
-                    function("limit_1",
-                             "limit of the primary creep strain of the first curve, a function of the von Mises "
-                             "stress q, temperature T and strength U [-]")},
-                Row<Law::speed_1>{
-                    function("speed_1", "how fast the first curve comes near it, a function of q, T, U [1/time]")},
-                Row<Law::rate_1>{function("rate_1", "steady rate of the first curve, a function of q, T, U [1/time]")},
-                Row<Law::limit_2>{function("limit_2", "the same for the second curve [-]")},
-                Row<Law::speed_2>{function("speed_2", "the same for the second curve [1/time]")},
-                Row<Law::rate_2>{function("rate_2", "the same for the second curve [1/time]")},
-                Row<Law::change>{{.key = "change",
-                                  .description = "time of the change to the second curve, a function of q, T, U [time]",
-                                  .variables = {"q", "T", "U"}}},
-                Row<Law::min_temperature>{{.key = "min_temperature",
-                                           .description = "there is no creep up to this temperature; not given: none",
-                                           .minimum = -std::numeric_limits<double>::infinity(),
-                                           .strict = false,
-                                           .fallback = std::vector<Function>{},
-                                           .variables = {}}}),
+      law_table(
+          Row<Law::strength>{{.key = "strength",
+                              .description = "tensile strength, U in the expressions of the other keys [their stress]",
+                              .dimension = unit::none}},
+          Row<Law::limit_1>{
+              function("limit_1",
+                       "limit of the primary creep strain of the first curve, a function of the von Mises "
+                       "stress q, temperature T and strength U [-]",
+                       unit::none)},
+          Row<Law::speed_1>{
+              function("speed_1", "rate at which the first curve approaches this limit, a function of q, T, U [1/time]",
+                       unit::per_time)},
+          Row<Law::rate_1>{
+              function("rate_1", "steady rate of the first curve, a function of q, T, U [1/time]", unit::per_time)},
+          Row<Law::limit_2>{function("limit_2", "limit of the second curve, likewise [-]", unit::none)},
+          Row<Law::speed_2>{function(
+              "speed_2", "rate at which the second curve approaches its limit, likewise [1/time]", unit::per_time)},
+          Row<Law::rate_2>{function("rate_2", "steady rate of the second curve, likewise [1/time]", unit::per_time)},
+          Row<Law::change>{{.key = "change",
+                            .description = "time of the change to the second curve, a function of q, T, U [time]",
+                            .dimension = unit::time,
+                            .variables = {"q", "T", "U"}}},
+          Row<Law::min_temperature>{{.key = "min_temperature",
+                                     .description = "there is no creep up to this temperature; not given: none",
+                                     .dimension = unit::temperature,
+                                     .minimum = -std::numeric_limits<double>::infinity(),
+                                     .strict = false,
+                                     .fallback = std::vector<Function>{},
+                                     .variables = {}}}),
       construct<Law>,
       {&hardening_strain}};
 }

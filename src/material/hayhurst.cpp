@@ -102,9 +102,14 @@ bool Hayhurst::evaluate(const StateVariable& variable, const PointState& at, std
 LawInfo hayhurst_info() {
   using Law = Hayhurst;
   const double any = -std::numeric_limits<double>::infinity();
-  const auto optional = [](const char* key, const std::string& meaning, double minimum, double value) {
-    return ParameterInfo{
-        .key = key, .description = meaning, .minimum = minimum, .strict = false, .fallback = {{value}}};
+  const auto optional = [](const char* key, const std::string& meaning, const UnitPowers& dimension, double minimum,
+                           double value) {
+    return ParameterInfo{.key = key,
+                         .description = meaning,
+                         .dimension = dimension,
+                         .minimum = minimum,
+                         .strict = false,
+                         .fallback = {{value}}};
   };
   return {
       "hayhurst",
@@ -112,25 +117,35 @@ LawInfo hayhurst_info() {
       "(1-phi)^4, dD/dt = A sinh(S/sigma0), S = alpha max(sigma_1, 0) + (1-alpha) q",
       "Z. L. Kowalewski, D. R. Hayhurst, B. F. Dyson, 1994; code_aster, R5.03.13",
       law_table(
-          Row<Law::rate0>{{.key = "rate0", .description = "rate factor, EPS0 of code_aster [1/time]"}},
-          Row<Law::K>{{.key = "K", .description = "resistance, K of code_aster [stress]"}},
+          Row<Law::rate0>{
+              {.key = "rate0", .description = "rate factor, EPS0 of code_aster [1/time]", .dimension = unit::per_time}},
+          Row<Law::K>{{.key = "K", .description = "resistance, K of code_aster [stress]", .dimension = unit::stress}},
           Row<Law::h1>{{.key = "h1",
                         .description = "modulus of the primary hardening H1, H1 of code_aster [stress]",
+                        .dimension = unit::stress,
                         .strict = false}},
           Row<Law::H1_limit>{{.key = "H1_limit",
                               .description = "H1 saturates at H1_limit/delta1, H1ST of code_aster [-]",
+                              .dimension = unit::none,
                               .strict = false,
                               .maximum = 1.0}},
-          Row<Law::sigma0>{{.key = "sigma0", .description = "stress scale of the damage, SIG0 of code_aster [stress]"}},
-          Row<Law::delta1>{optional("delta1", "recovery of H1, DELTA1 of code_aster; 0: H1 has no limit [-]", 0, 1)},
-          Row<Law::h2>{optional(
-              "h2", "modulus of the second hardening H2, H2 of code_aster; negative: softening [stress]", any, 0)},
-          Row<Law::H2_limit>{optional("H2_limit", "the same for H2, H2ST of code_aster [-]", any, 1)},
-          Row<Law::delta2>{optional("delta2", "the same for H2, DELTA2 of code_aster [-]", 0, 0)},
-          Row<Law::kc>{optional("kc", "rate of ageing, KC of code_aster [1/time]", 0, 0)},
-          Row<Law::A>{optional("A", "damage rate factor, BIGA of code_aster [1/time]", 0, 0)},
+          Row<Law::sigma0>{{.key = "sigma0",
+                            .description = "stress scale of the damage, SIG0 of code_aster [stress]",
+                            .dimension = unit::stress}},
+          Row<Law::delta1>{
+              optional("delta1", "recovery of H1, DELTA1 of code_aster; 0: H1 has no limit [-]", unit::none, 0, 1)},
+          Row<Law::h2>{optional("h2",
+                                "modulus of the second hardening H2, H2 of code_aster; negative: softening [stress]",
+                                unit::stress, any, 0)},
+          Row<Law::H2_limit>{
+              optional("H2_limit", "H2 saturates at H2_limit/delta2, H2ST of code_aster [-]", unit::none, any, 1)},
+          Row<Law::delta2>{
+              optional("delta2", "recovery of H2, DELTA2 of code_aster; 0: H2 has no limit [-]", unit::none, 0, 0)},
+          Row<Law::kc>{optional("kc", "rate of ageing, KC of code_aster [1/time]", unit::per_time, 0, 0)},
+          Row<Law::A>{optional("A", "damage rate factor, BIGA of code_aster [1/time]", unit::per_time, 0, 0)},
           Row<Law::alpha>{{.key = "alpha",
                            .description = "weight of the tension in S, ALPHAD of code_aster [-]",
+                           .dimension = unit::none,
                            .strict = false,
                            .fallback = {{0.5}},
                            .maximum = 1.0}},
@@ -138,6 +153,7 @@ LawInfo hayhurst_info() {
               {.key = "damage_stress",
                .description = "tension in S: largest principal stress, or trace of the stress (S_EQUI_D of code_aster "
                               "not 0)",
+               .dimension = unit::none,
                .fallback = {{0.0}},
                .words = {"principal", "trace"}}}),
       construct<Law>,

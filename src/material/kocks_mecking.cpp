@@ -76,27 +76,36 @@ LawInfo kocks_mecking_info() {
   const double any = -std::numeric_limits<double>::infinity();
   return {"kocks_mecking", "rate = rate0 exp(B F) (q/mu)^(A F), F = -mu b^3/(k (T - absolute_zero))",
           "U. F. Kocks, H. Mecking, 2003; M. C. Messner and others, NEML",
-          law_table(Row<KM::rate0>{{.key = "rate0", .description = "reference rate, not one that occurs [1/time]"}},
+          law_table(Row<KM::rate0>{{.key = "rate0",
+                                    .description = "reference rate, not one that occurs [1/time]",
+                                    .dimension = unit::per_time}},
                     Row<KM::A>{{.key = "A",
                                 .description = "slope of ln(q/mu) over the normalised activation energy, < 0 [-]",
+                                .dimension = unit::none,
                                 .minimum = any,
                                 .strict = false,
                                 .maximum = 0.0}},
                     Row<KM::B>{{.key = "B",
                                 .description = "intercept of this line, of either sign [-]",
+                                .dimension = unit::none,
                                 .minimum = any,
                                 .strict = false}},
-                    Row<KM::burgers>{{.key = "burgers", .description = "Burgers vector b [length]", .variables = {}}},
+                    Row<KM::burgers>{{.key = "burgers",
+                                      .description = "Burgers vector b [length]",
+                                      .dimension = unit::length,
+                                      .variables = {}}},
                     Row<KM::boltzmann>{
                         {.key = "boltzmann",
                          .description = "Boltzmann's constant k [stress length^3/degree]; the default is for N, mm and "
                                         "degrees Celsius or kelvin; N and m: 1.380649e-23",
+                         .dimension = unit::stress * unit::pow(unit::length, 3.0) / unit::degree,
                          .fallback = {{1.380649e-20}},
                          .variables = {}}},
                     Row<KM::shear_modulus>{
                         {.key = "shear_modulus",
                          .description =
-                             "shear modulus mu with which A and B were fitted, not that of the elasticity [stress]"}},
+                             "shear modulus mu with which A and B were fitted, not that of the elasticity [stress]",
+                         .dimension = unit::stress}},
                     Row<KM::absolute_zero>{absolute_zero_key()}),
           construct<KM>};
 }

@@ -41,6 +41,7 @@ std::pair<double, double> StressFunction::exponent_and_slope(double q, double te
 ParameterInfo min_stress_key(const std::string& below) {
   return {.key = "min_stress",
           .description = "smallest von Mises stress for which the functions hold; below it " + below + " [stress]",
+          .dimension = unit::stress,
           .strict = false,
           .fallback = {{0.0}},
           .variables = {}};

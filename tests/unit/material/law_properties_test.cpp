@@ -1,4 +1,5 @@
 // What every creep law must fulfil, whatever its formula: one suite over the registry.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -7,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <regex>
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/material/registry.hpp"
@@ -161,6 +163,66 @@ TEST_P(CreepLawProperties, HasTheStateVariablesOfItsEntryInTheRegistry) {
     if (known) {
       EXPECT_TRUE(std::ranges::all_of(values, [](double v) { return std::isfinite(v); })) << variable->name;
     }
+  }
+}
+
+/// The constants of a law in other units.
+ParameterValues converted(const LawInfo& law, const ParameterValues& values, const UnitChange& change) {
+  ParameterValues result = values;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const UnitPowers& dimension = law.parameters[i].dimension;
+    for (std::size_t k = 0; k < values[i].size(); ++k) {
+      const auto other = [&](std::size_t place) {
+        const std::vector<Function>& of = values[place];
+        return of.empty() ? 1.0 : of.at(of.size() > 1 ? k : 0)({});
+      };
+      const Function& old = values[i][k];
+      const double times = factor(dimension, change, other), plus = dimension.is_temperature() ? change.zero : 0.0;
+      if (old.is_constant()) {
+        result[i][k] = times * old({}) + plus;
+        continue;
+      }
+      const auto replaced = [](const std::string& text, const char* name, double by, double zero) {
+        return std::regex_replace(text, std::regex(fmt::format("\\b{}\\b", name)),
+                                  fmt::format("(({} - {})/{})", name, zero, by));
+      };
+      std::string text = replaced(old.text(), "q", change.stress, 0.0);
+      text = replaced(replaced(text, "t", change.time, 0.0), "T", change.degree, change.zero);
+      result[i][k] = Function::expression(fmt::format("({})*{}", text, times), law.parameters[i].variables);
+    }
+  }
+  return result;
+}
+
+TEST_P(CreepLawProperties, DimensionsOfConstantsGiveTheSameRatesInOtherUnits) {
+  const UnitChange change{.stress = 0.5, .time = 3.0, .length = 7.0, .degree = 1.8, .zero = 32.0};
+  const LawInfo& info = *find_creep_law(GetParam());
+  ParameterValues values = sample.parameters;
+  for (std::size_t i = values.size(); i < info.parameters.size(); ++i) {
+    values.push_back(info.parameters[i].fallback.value());
+    if (info.is_activation_energy(i)) values.back() = {2e4};
+  }
+  // Rates of creep strain and internal variables.
+  const auto rates = [&](const ParameterValues& constants, PointState at, double T) {
+    const std::unique_ptr<CreepLaw> made = info.make(constants);
+    std::vector<double> at_point;
+    for (const Function& parameter : made->parameters()) at_point.push_back(parameter({.T = T}));
+    at.parameters = at_point;
+    at.temperature = T;
+    std::pair<Tensor6, Eigen::VectorXd> found{Tensor6::Zero(), Eigen::VectorXd::Zero(made->n_internal())};
+    made->rate(at, {tensor::writable(found.first), numbers(found.second)});
+    return found;
+  };
+  for (int i = 0; i < 20; ++i) {
+    const Tensor6 stress = random(6, -150, 150), other_stress = change.stress * stress;
+    const auto [expected, expected_own] = rates(values, point(stress), 500.0);
+    PointState at = point(other_stress);
+    at.time *= change.time;
+    const auto [found, found_own] = rates(converted(info, values, change), at, change.degree * 500.0 + change.zero);
+    const double times = law->is_isochronous() ? 1.0 : change.time;
+    EXPECT_GT(expected.norm(), 0.0);
+    EXPECT_LE((times * found - expected).norm(), 1e-10 * expected.norm());
+    EXPECT_LE((times * found_own - expected_own).norm(), 1e-10 * expected_own.norm());
   }
 }
 
