@@ -21,6 +21,12 @@ Function activated_function(const Function& A, const Function& Q, const Function
                             });
 }
 
+/// "A", "A and B", "A, B and C"
+std::string listed(const std::vector<std::string>& names) {
+  if (names.size() < 2) return fmt::format("{}", fmt::join(names, ""));
+  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+}
+
 /// The name of the constant in the description of its activation energy.
 std::string activated_name(const ParameterInfo& constant) {
   if (constant.activation == Activation::time) return fmt::format("1/`{}`", constant.key);
@@ -62,8 +68,8 @@ std::vector<ParameterInfo> with_arrhenius(std::vector<ParameterInfo> own) {
     names.push_back(activated_name(constant));
   }
   own.push_back({.key = "activation_energy",
-                 .description = "activation energy Q: exp(-Q/(R (T - absolute_zero))) multiplies " +
-                                fmt::format("{}", fmt::join(names, " and ")) + " [energy/mol]",
+                 .description = "activation energy Q: exp(-Q/(R (T - absolute_zero))) multiplies " + listed(names) +
+                                " [energy/mol]",
                  .dimension = unit::none,
                  .strict = false,
                  .fallback = {{0.0}}});

@@ -16,10 +16,19 @@ struct Integrity {
   double value, slope;
 };
 
+ParameterValues with_stress_scale(const ParameterValues& values) {
+  ParameterValues result = first(values, Hayhurst::damage_stress);
+  if (!result[Hayhurst::sigma0].empty()) return result;
+  if (!result[Hayhurst::A].at(0).is_zero())
+    throw ParameterError("sigma0", "the stress 'sigma0' is missing", "with the damage rate factor A a stress > 0");
+  result[Hayhurst::sigma0] = {1.0};  // of no damage
+  return result;
+}
+
 }  // namespace
 
 Hayhurst::Hayhurst(const ParameterValues& values)
-    : CreepLaw(first(values, damage_stress)), tension_(DamagingTension(values[damage_stress].at(0)({}))) {}
+    : CreepLaw(with_stress_scale(values)), tension_(DamagingTension(values[damage_stress].at(0)({}))) {}
 
 bool Hayhurst::uses_mean_stress() const {
   return !parameters()[A].is_zero() && !parameters()[alpha].is_zero();
@@ -38,7 +47,7 @@ Hayhurst::Flow Hayhurst::flow(double q, const PointState& at) {
 }
 
 double Hayhurst::damage_rate(const PointState& at, double S) const {
-  return at.parameters[A] * std::sinh(S / at.parameters[sigma0]);
+  return at.parameters[A] > 0.0 ? at.parameters[A] * std::sinh(S / at.parameters[sigma0]) : 0.0;
 }
 
 void Hayhurst::rate(const PointState& at, PointRate into) const {
@@ -130,8 +139,9 @@ LawInfo hayhurst_info() {
                               .strict = false,
                               .maximum = 1.0}},
           Row<Law::sigma0>{{.key = "sigma0",
-                            .description = "stress scale of the damage, SIG0 of code_aster [stress]",
-                            .dimension = unit::stress}},
+                            .description = "stress scale of the damage, SIG0 of code_aster; required with `A` [stress]",
+                            .dimension = unit::stress,
+                            .fallback = std::vector<Function>{}}},
           Row<Law::delta1>{
               optional("delta1", "recovery of H1, DELTA1 of code_aster; 0: H1 has no limit [-]", unit::none, 0, 1)},
           Row<Law::h2>{optional("h2",

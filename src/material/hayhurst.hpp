@@ -21,7 +21,7 @@ class Hayhurst final : public CreepLaw {
     K,              ///< [stress], > 0
     h1,             ///< [stress], >= 0
     H1_limit,       ///< [-], in [0, 1]
-    sigma0,         ///< [stress], > 0
+    sigma0,         ///< [stress], > 0; empty: there is no A
     delta1,         ///< [-], >= 0
     h2,             ///< [stress], negative: softening
     H2_limit,       ///< [-]
@@ -32,6 +32,7 @@ class Hayhurst final : public CreepLaw {
     damage_stress,  ///< number of the word for X; not evaluated at points
     n_constants
   };
+  /// @throws ParameterError if there is A but not sigma0
   explicit Hayhurst(const ParameterValues& values);
   std::string name() const override { return "hayhurst"; }
   int n_internal() const override { return n_variables; }

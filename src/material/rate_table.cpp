@@ -103,7 +103,7 @@ EquivalentRate RateTable::equivalent_rate(double q, const PointState& at) const 
 LawInfo rate_table_info() {
   using Law = RateTable;
   return {
-      "rate_table", "rate from measured rates: ln(rate) linear in ln(q), and in 1/(T - absolute_zero)", "yours",
+      "rate_table", "ln(rate) linear in ln(q) and in 1/(T - absolute_zero) between measured rates", "yours",
       law_table(Row<Law::stress>{{.key = "stress",
                                   .description = "stresses of the creep tests, at least two per temperature [stress]",
                                   .dimension = unit::stress,

@@ -101,6 +101,8 @@ class LawErrors(Says, unittest.TestCase):
         self.expect("rate_table", "stress = [0, 100]\nrate = [2e-6, 1e-6]", (".stress", "0", "> 0"))
         self.expect("hayhurst", "rate0 = 1e-10\nK = 10\nh1 = 3e4\nH1_limit = 1.3\nsigma0 = 20\nalpha = 2",
                     (".H1_limit", "1.3", "[0, 1]"), (".alpha", "2", "[0, 1]"))
+        self.expect("hayhurst", "rate0 = 1e-10\nK = 10\nh1 = 3e4\nH1_limit = 0.3")
+        self.expect("hayhurst", "rate0 = 1e-10\nK = 10\nh1 = 3e4\nH1_limit = 0.3\nA = 1e-6", ("", "'sigma0' is missing", "A", "> 0"))
         curve = "".join(f'{key}_{i} = "1e-6*q"\n' for key in ("limit", "speed", "rate") for i in (1, 2))
         self.expect("booker", 'strength = 400\nchange = "1e5*exp(-q/U)"\n' + curve)
         self.expect("booker", 'strength = "400 - U"\nchange = 1e5\n' + curve, (".strength", "'400 - U'", "U"))

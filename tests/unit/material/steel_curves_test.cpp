@@ -90,6 +90,17 @@ TEST(Hayhurst, HasTheClosedFormsOfItsVariables) {
   EXPECT_EQ(bar.value(remaining_life, 0), 0);  // the reciprocal: it lives forever
 }
 
+TEST(Hayhurst, WithoutDamageItNeedsNoStressScale) {
+  Bar bar("hayhurst", {{1e-10}, {10.0}, {0.0}, {0.0}, {}});
+  expect_relative(bar.rate(160), 1e-10 * std::sinh(16.0), 1e-12);
+  bar.integrate(160, 1, 1);
+  EXPECT_EQ(bar.value(damage, 160), 0);
+  EXPECT_EQ(bar.value(remaining_life, 1000), 0);
+  ParameterValues incomplete = grade_92();
+  incomplete[4] = {};
+  EXPECT_THROW(Bar("hayhurst", incomplete), ParameterError);
+}
+
 TEST(Hayhurst, DamageFollowsTheTension) {
   struct Expected {
     std::array<double, 3> principal;
