@@ -11,8 +11,8 @@ namespace {
 constexpr double min_integrity = 1e-14;  // of 1 - D and 1 - phi
 
 /// 1 - z, and its derivative.
-struct Integrity {
-  explicit Integrity(double z) : value(std::max(1.0 - z, min_integrity)), slope(value > min_integrity ? -1.0 : 0.0) {}
+struct IntactPart {
+  explicit IntactPart(double z) : value(std::max(1.0 - z, min_integrity)), slope(value > min_integrity ? -1.0 : 0.0) {}
   double value, slope;
 };
 
@@ -36,7 +36,7 @@ bool Hayhurst::uses_mean_stress() const {
 
 Hayhurst::Flow Hayhurst::flow(double q, const PointState& at) {
   const std::span<const double> p = at.parameters, z = at.internal;
-  const Integrity unaged(z[ageing]), whole(z[damage_variable]);
+  const IntactPart unaged(z[ageing]), whole(z[damage_variable]);
   const double per_q = (1.0 - z[hardening] - z[softening]) / (p[K] * unaged.value * whole.value);
   const double per_hardening = -q / (p[K] * unaged.value * whole.value);
   const double f = p[rate0] * std::sinh(per_q * q), slope = p[rate0] * std::cosh(per_q * q);
@@ -60,7 +60,7 @@ void Hayhurst::rate(const PointState& at, PointRate into) const {
     into.internal[hardening] = p[h1] / now.q * (p[H1_limit] - p[delta1] * z[hardening]) * f;
     into.internal[softening] = p[h2] / now.q * (p[H2_limit] - p[delta2] * z[softening]) * f;
   }
-  into.internal[ageing] = p[kc] / 3.0 * std::pow(Integrity(z[ageing]).value, 4);
+  into.internal[ageing] = p[kc] / 3.0 * std::pow(IntactPart(z[ageing]).value, 4);
   if (p[A] > 0.0) into.internal[damage_variable] = damage_rate(at, StressMeasure(at.stress, p[alpha], tension_).value);
 }
 
@@ -83,7 +83,7 @@ void Hayhurst::derivative(const PointState& at, const PointChange& change, Point
     into.internal[softening] =
         p[h2] * ((p[H2_limit] - p[delta2] * z[softening]) * d_secant - p[delta2] * change.internal[softening] * secant);
   }
-  const Integrity unaged(z[ageing]);
+  const IntactPart unaged(z[ageing]);
   into.internal[ageing] = 4.0 / 3.0 * p[kc] * std::pow(unaged.value, 3) * unaged.slope * change.internal[ageing];
   if (p[A] == 0.0) return;
   const StressMeasure S(at.stress, p[alpha], tension_);
@@ -104,7 +104,7 @@ bool Hayhurst::evaluate(const StateVariable& variable, const PointState& at, std
   }
   if (&variable != &material::remaining_life) return false;
   const double S = StressMeasure(at.stress, at.parameters[alpha], tension_).value;
-  into[0] = damage_rate(at, S) / Integrity(D).value;
+  into[0] = damage_rate(at, S) / IntactPart(D).value;
   return true;
 }
 

@@ -16,7 +16,7 @@ double number_of(const ParameterValues& values, KM::Constant constant) {
   return values[constant].at(0)({});
 }
 
-void check(const ParameterValues& values) {
+void check_kocks_mecking(const ParameterValues& values) {
   if (values[KM::A].at(0).is_zero()) throw ParameterError("A", "the number 0", "values < 0");
   // Metals are well within, wrong units are factors of 145 and more away. Tables give their nearest value here.
   constexpr double smallest = 2e3, largest = 2e6;
@@ -34,7 +34,7 @@ void check(const ParameterValues& values) {
 }
 
 /// F(T).
-Function normalised_energy(const ParameterValues& values) {
+Function energy_ratio(const ParameterValues& values) {
   const double b = number_of(values, KM::burgers), zero = number_of(values, KM::absolute_zero);
   const double degrees = b * b * b / number_of(values, KM::boltzmann);  // per stress
   const Function& mu = values[KM::shear_modulus].at(0);
@@ -44,9 +44,9 @@ Function normalised_energy(const ParameterValues& values) {
 }
 
 ParameterValues at_points(const ParameterValues& values) {
-  check(values);
+  check_kocks_mecking(values);
   const Function &rate0 = values[KM::rate0].at(0), &A = values[KM::A].at(0), &B = values[KM::B].at(0);
-  const Function F = normalised_energy(values);
+  const Function F = energy_ratio(values);
   const Function log_factor =
       Function::composed(fmt::format("ln({}) + ({})*({})", rate0.text(), B.text(), F.text()), {rate0, B, F},
                          [](const std::vector<double>& of) { return std::log(of[0]) + of[1] * of[2]; });
@@ -80,13 +80,14 @@ LawInfo kocks_mecking_info() {
                                     .description = "reference rate, not one that occurs [1/time]",
                                     .dimension = unit::per_time}},
                     Row<KM::A>{{.key = "A",
-                                .description = "slope of ln(q/mu) over the normalised activation energy, < 0 [-]",
+                                .description = "slope of the normalised activation energy k (T - absolute_zero) "
+                                               "ln(rate0/rate)/(mu b^3) over ln(q/mu), < 0 [-]",
                                 .dimension = unit::none,
                                 .minimum = any,
                                 .strict = false,
                                 .maximum = 0.0}},
                     Row<KM::B>{{.key = "B",
-                                .description = "intercept of this line, of either sign [-]",
+                                .description = "this energy at q = mu, of either sign [-]",
                                 .dimension = unit::none,
                                 .minimum = any,
                                 .strict = false}},

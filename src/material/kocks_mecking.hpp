@@ -1,6 +1,7 @@
 #pragma once
-/// Secondary creep by the normalised activation energy of Kocks and Mecking:
-///   f = rate0 exp(B F) (q/mu)^(A F),   F = -mu b^3/(k (T - absolute_zero)),
+/// Secondary creep by the normalised activation energy of Kocks and Mecking, g = k T_abs ln(rate0/f)/(mu b^3), which is
+/// linear in the logarithm of the stress, g = A ln(q/mu) + B:
+///   f = rate0 exp(B F) (q/mu)^(A F),   F = -mu b^3/(k T_abs),   T_abs = T - absolute_zero,
 /// with mu the shear modulus, b the Burgers vector and k Boltzmann's constant. F and A are negative, so the stress
 /// exponent A F is positive; it falls as the temperature rises.
 /// Source: U. F. Kocks, H. Mecking, Progress in Materials Science 48 (2003), 171-273; for creep: M. C. Messner and
