@@ -35,8 +35,7 @@ TEST(UnitSystem, RefusesWhatItDoesNotUnderstand) {
     }
     return "";
   };
-  EXPECT_NE(refusal("mm, N, Mpa, h").find("'Mpa' is not a known unit; did you mean 'MPa'?"),
-            std::string::npos);
+  EXPECT_NE(refusal("mm, N, Mpa, h").find("'Mpa' is not a known unit; did you mean 'MPa'?"), std::string::npos);
   EXPECT_EQ(refusal("mm, MPa"), "no unit of time");
   EXPECT_EQ(refusal("mm, h"), "no unit of stress");
   EXPECT_EQ(refusal("mm, m, MPa, h"), "two units of length, mm and m");
