@@ -93,7 +93,7 @@ class UnitPowers {
   std::size_t size_ = 0;
 };
 
-/// Words for dimensions: per_time / unit::pow(unit::stress, n).
+/// Words for dimensions: unit::per_time / unit::pow(unit::stress, n).
 namespace unit {
 
 inline constexpr UnitPowers none = UnitPowers::none();
@@ -121,7 +121,7 @@ struct UnitChange {
   double of(BaseUnit unit) const;
 };
 
-/// By what the number of a constant is multiplied; for a temperature the degree alone.
+/// Returns the factor on the number of a constant; for a temperature that of the degree alone.
 /// @param constant  value of another constant of the law by its place
 double factor(const UnitPowers& dimension, const UnitChange& change,
               const std::function<double(std::size_t)>& constant);
