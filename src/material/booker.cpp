@@ -43,8 +43,8 @@ LawInfo booker_info() {
       "M. K. Booker, ORNL; ASME III-5 HBB",
       law_table(
           Row<Law::strength>{{.key = "strength",
-                              .description = "tensile strength, U in the expressions of the other keys [their stress]",
-                              .dimension = unit::none}},
+                              .description = "tensile strength, U in the expressions of the other keys [stress]",
+                              .dimension = unit::stress}},
           Row<Law::limit_1>{
               function("limit_1",
                        "limit of the primary creep strain of the first curve, a function of the von Mises "

@@ -21,7 +21,7 @@ namespace creepcontact::material {
 class Booker final : public ScalarStateLaw<Booker, 2> {
  public:
   enum Constant {
-    strength,  ///< U [stress of the functions], of T, > 0
+    strength,  ///< U [stress], of T, > 0
     limit_1,   ///< [-], of q, T, U, >= 0; the others likewise
     speed_1,   ///< [1/time]
     rate_1,    ///< [1/time]

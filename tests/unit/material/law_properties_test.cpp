@@ -186,7 +186,7 @@ ParameterValues converted(const LawInfo& law, const ParameterValues& values, con
         return std::regex_replace(text, std::regex(fmt::format("\\b{}\\b", name)),
                                   fmt::format("(({} - {})/{})", name, zero, by));
       };
-      std::string text = replaced(old.text(), "q", change.stress, 0.0);
+      std::string text = replaced(replaced(old.text(), "q", change.stress, 0.0), "U", change.stress, 0.0);
       text = replaced(replaced(text, "t", change.time, 0.0), "T", change.degree, change.zero);
       result[i][k] = Function::expression(fmt::format("({})*{}", text, times), law.parameters[i].variables);
     }
