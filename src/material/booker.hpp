@@ -8,7 +8,7 @@
 /// used up, dx/dt = 1/change. With t_i(eps) the time at which curve i reaches eps,
 ///   f = de_i/dt at t_i, of curve 1 if t_1 >= t_2 and x < 1, of curve 2 else.
 /// Both switches of f are gradual over 0.2 %, of the ratio of the t_i and of x, so that f is continuous.
-/// With w = 1/(1 + speed_i t_i), in which eps is quadratic, f = speed limit w^2 + rate and eps/t_i = speed limit w +
+/// With w = 1/(1 + speed_i t_i), which solves a quadratic equation, f = speed limit w^2 + rate, eps/t_i = speed limit w +
 /// rate: the curve with the smaller eps/t_i has the larger t_i, at eps = 0 too.
 /// Source: M. K. Booker, ORNL; the equations in hbbdata (Argonne), isochronous.py, Model225Cr.
 
@@ -44,13 +44,17 @@ class Booker final : public ScalarStateLaw<Booker, 2> {
     if (at.temperature <= min_temperature_) return {0.0 * stress.q, {0.0 * stress.q, 0.0 * stress.q}};
     const Number changing = changes_(stress.q, at.temperature, at.parameters[0]);
     const Curve<Number> second = curve(curves_[1], stress.q, state[0], at);
-    Number part = step(state[1]);  // of the second curve
-    if (part == 1.0) return {second.rate, {second.rate, changing}};
+    const Number changed = step(state[1]);
+    if (changed == 1.0) return {second.rate, {second.rate, changing}};
     const Curve<Number> first = curve(curves_[0], stress.q, state[0], at);
     if (first.mean_rate >= (1.0 + half_width) * second.mean_rate) return {second.rate, {second.rate, changing}};
-    if (first.mean_rate > (1.0 - half_width) * second.mean_rate)
-      part += (1.0 - part) * step(Number(first.mean_rate / second.mean_rate));
-    const Number f = first.rate + part * (second.rate - first.rate);
+    Number lower = first.rate;  // of the lower curve
+    if (first.mean_rate > (1.0 - half_width) * second.mean_rate) {
+      // It goes over from one to the other along eps: the times per strain are averaged.
+      const Number part = step(Number(first.mean_rate / second.mean_rate));
+      lower = first.rate * second.rate / ((1.0 - part) * second.rate + part * first.rate);
+    }
+    const Number f = lower + changed * (second.rate - lower);
     return {f, {f, changing}};
   }
 
