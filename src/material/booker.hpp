@@ -8,8 +8,8 @@
 /// used up, dx/dt = 1/change. With t_i(eps) the time at which curve i reaches eps,
 ///   f = de_i/dt at t_i, of curve 1 if t_1 >= t_2 and x < 1, of curve 2 else.
 /// Both switches of f are gradual over 0.2 %, of the ratio of the t_i and of x, so that f is continuous.
-/// With w = 1/(1 + speed_i t_i), which solves a quadratic equation, f = speed limit w^2 + rate, eps/t_i = speed limit w +
-/// rate: the curve with the smaller eps/t_i has the larger t_i, at eps = 0 too.
+/// With w = 1/(1 + speed_i t_i), which solves a quadratic equation, f = speed limit w^2 + rate and
+/// eps/t_i = speed limit w + rate: the curve with the smaller eps/t_i has the larger t_i, at eps = 0 too.
 /// Source: M. K. Booker, ORNL; the equations in hbbdata (Argonne), isochronous.py, Model225Cr.
 
 #include "law_table.hpp"

@@ -46,10 +46,6 @@ Hayhurst::Flow Hayhurst::flow(double q, const PointState& at) {
            -slope * per_q * q * whole.slope / whole.value}};
 }
 
-double Hayhurst::damage_rate(const PointState& at, double S) const {
-  return at.parameters[A] > 0.0 ? at.parameters[A] * std::sinh(S / at.parameters[sigma0]) : 0.0;
-}
-
 void Hayhurst::rate(const PointState& at, PointRate into) const {
   const std::span<const double> p = at.parameters, z = at.internal;
   const Deviator now = deviator(at.stress);
@@ -61,7 +57,10 @@ void Hayhurst::rate(const PointState& at, PointRate into) const {
     into.internal[softening] = p[h2] / now.q * (p[H2_limit] - p[delta2] * z[softening]) * f;
   }
   into.internal[ageing] = p[kc] / 3.0 * std::pow(IntactPart(z[ageing]).value, 4);
-  if (p[A] > 0.0) into.internal[damage_variable] = damage_rate(at, StressMeasure(at.stress, p[alpha], tension_).value);
+  if (p[A] > 0.0) {
+    const double S = StressMeasure(at.stress, p[alpha], tension_).value;
+    into.internal[damage_variable] = p[A] * std::sinh(S / p[sigma0]);
+  }
 }
 
 void Hayhurst::derivative(const PointState& at, const PointChange& change, PointRate into) const {
@@ -97,14 +96,8 @@ StressTangent Hayhurst::stress_tangent(const PointState& at) const {
 }
 
 bool Hayhurst::evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const {
-  const double D = at.internal[damage_variable];
-  if (&variable == &material::damage) {
-    into[0] = std::min(D, 1.0);
-    return true;
-  }
-  if (&variable != &material::remaining_life) return false;
-  const double S = StressMeasure(at.stress, at.parameters[alpha], tension_).value;
-  into[0] = damage_rate(at, S) / IntactPart(D).value;
+  if (&variable != &material::damage) return false;
+  into[0] = std::min(at.internal[damage_variable], 1.0);
   return true;
 }
 
@@ -167,7 +160,7 @@ LawInfo hayhurst_info() {
                .fallback = {{0.0}},
                .words = {"principal", "trace"}}}),
       construct<Law>,
-      {&damage, &remaining_life}};
+      {&damage}};
 }
 
 }  // namespace creepcontact::material

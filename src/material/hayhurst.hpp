@@ -6,7 +6,8 @@
 /// H1_limit/delta1 (primary creep), H2 falls without a limit if h2 < 0 (softening), phi is ageing, D cavitation.
 /// Sources: code_aster, R5.03.13 and rkdhay.F90; flow and ageing: Z. L. Kowalewski, D. R. Hayhurst,
 /// B. F. Dyson, J. Strain Anal. 29 (1994), 309-316.
-/// code_aster's elasticity degrades with D, this one does not.
+/// code_aster's elasticity degrades with D, this one does not. There is no remaining life: with softening the strain
+/// grows without bound while D is still small.
 
 #include "creepcontact/material/creep_law.hpp"
 #include "law_table.hpp"
@@ -54,7 +55,6 @@ class Hayhurst final : public CreepLaw {
     double by[n_variables];
   };
   static Flow flow(double q, const PointState& at);
-  double damage_rate(const PointState& at, double S) const;
 
   DamagingTension tension_;
 };

@@ -50,8 +50,8 @@ inline constexpr StateVariable creep_fatigue{
 inline constexpr StateVariable remaining_life{
     .name = "remaining_life",
     .description =
-        "time to rupture if stress and temperature stay as they are, from `kachanov_rabotnov`, `omega`, "
-        "`hayhurst` and rupture data; 1e30 where no life is consumed",
+        "time to rupture if stress and temperature stay as they are, from `kachanov_rabotnov`, `omega` and "
+        "rupture data; 1e30 where no life is consumed",
     .label = "remaining life",
     .dimension = Dimension::time,
     .is_reciprocal = true};
