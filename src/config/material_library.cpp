@@ -160,7 +160,7 @@ class LibraryReader {
   std::vector<std::string> missing_;
 };
 
-std::string lower(std::string text) {
+std::string without_case(std::string text) {
   std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
@@ -193,7 +193,7 @@ std::string contents(const LibraryVariant& variant, const char* mark) {
 }
 
 /// Texts of several lines as one, with what Markdown tables need.
-std::string cell(const std::string& text) {
+std::string table_cell(const std::string& text) {
   std::string line;
   for (const char letter : text) {
     if (letter == '|') line += '\\';
@@ -207,7 +207,7 @@ std::string status_of(const LibraryMaterial& material, const std::string& source
   return found != nullptr ? found->status : "";
 }
 
-std::string section(const LibraryMaterial& material) {
+std::string steel_section(const LibraryMaterial& material) {
   std::string text = fmt::format("### {}\n\n`{}`: {}. Also {}.\n\n", material.name, material.key, material.composition,
                                  fmt::join(material.also, ", "));
   if (material.properties.empty()) {
@@ -220,16 +220,17 @@ std::string section(const LibraryMaterial& material) {
   if (!material.variants.empty())
     text += "| variant | has | range | source, status | what to know |\n|---|---|---|---|---|\n";
   for (const LibraryVariant& variant : material.variants)
-    text += fmt::format("| `{}` {} | {} | {} | {}: {} | {} |\n", variant.name, cell(variant.title),
+    text += fmt::format("| `{}` {} | {} | {} | {}: {} | {} |\n", variant.name, table_cell(variant.title),
                         contents(variant, "`"), ranges(material, variant), variant.source,
-                        cell(status_of(material, variant.source)), cell(variant.notes));
+                        table_cell(status_of(material, variant.source)), table_cell(variant.notes));
   if (!material.variants.empty()) text += '\n';
   text += "| source | citation | where | licence |\n|---|---|---|---|\n";
   for (const LibrarySource& source : material.sources)
-    text += fmt::format("| {} | {} | {} | {} |\n", source.id, cell(source.citation), cell(source.where),
-                        cell(source.licence));
+    text += fmt::format("| {} | {} | {} | {} |\n", source.id, table_cell(source.citation), table_cell(source.where),
+                        table_cell(source.licence));
   if (!material.rejected.empty()) text += "\nFound and left out:\n\n";
-  for (const auto& [name, reason] : material.rejected) text += fmt::format("- {}: {}\n", cell(name), cell(reason));
+  for (const auto& [name, reason] : material.rejected)
+    text += fmt::format("- {}: {}\n", table_cell(name), table_cell(reason));
   return text + '\n';
 }
 
@@ -296,12 +297,12 @@ std::vector<std::string> names_of(const std::vector<LibraryMaterial>& library) {
 
 std::vector<LibraryMaterial> matching(const std::vector<LibraryMaterial>& library, const std::string& word) {
   std::vector<LibraryMaterial> found;
-  const std::string wanted = lower(word);
+  const std::string wanted = without_case(word);
   std::ranges::copy_if(library, std::back_inserter(found), [&](const LibraryMaterial& material) {
     std::vector<std::string> names = material.also;
     names.insert(names.end(), {material.key, material.name});
-    return std::ranges::any_of(names,
-                               [&](const std::string& name) { return lower(name).find(wanted) != std::string::npos; });
+    return std::ranges::any_of(
+        names, [&](const std::string& name) { return without_case(name).find(wanted) != std::string::npos; });
   });
   return found;
 }
@@ -331,7 +332,7 @@ std::string library_listing(const std::vector<LibraryMaterial>& library) {
 
 std::string library_markdown(const std::vector<LibraryMaterial>& library) {
   std::string text;
-  for (const LibraryMaterial& material : library) text += section(material);
+  for (const LibraryMaterial& material : library) text += steel_section(material);
   return text;
 }
 

@@ -11,7 +11,7 @@ namespace creepcontact::config {
 namespace {
 
 /// Number in the text of an expression.
-std::string digits(double number) {
+std::string in_expression(double number) {
   return number < 0 ? fmt::format("({})", number) : fmt::format("{}", number);
 }
 
@@ -28,13 +28,13 @@ std::vector<double> numbers_in(const toml::node* list) {
 
 /// A table in T as an expression that is linear between its points and constant outside.
 std::string piecewise(const std::vector<double>& T, const std::vector<double>& values) {
-  std::string text = digits(values.back());
+  std::string text = in_expression(values.back());
   for (std::size_t i = T.size() - 1; i-- > 0;) {
     const double slope = (values[i + 1] - values[i]) / (T[i + 1] - T[i]);
-    text = fmt::format("(T < {} ? {} + (T - {})*{} : {})", digits(T[i + 1]), digits(values[i]), digits(T[i]),
-                       digits(slope), text);
+    text = fmt::format("(T < {} ? {} + (T - {})*{} : {})", in_expression(T[i + 1]), in_expression(values[i]),
+                       in_expression(T[i]), in_expression(slope), text);
   }
-  return fmt::format("(T < {} ? {} : {})", digits(T.front()), digits(values.front()), text);
+  return fmt::format("(T < {} ? {} : {})", in_expression(T.front()), in_expression(values.front()), text);
 }
 
 bool is_letter(char c) {
@@ -59,13 +59,13 @@ std::size_t end_of_number(const std::string& text, std::size_t at) {
 
 std::string UnitConversion::expression(const std::string& text) const {
   const auto old_value = [&](const std::string& name) {
-    const auto scaled = [&](double by) { return by == 1 ? name : fmt::format("({}*{})", name, digits(1 / by)); };
-    if (name == "q" || name == "U") return scaled(change_.stress);  // U: the tensile strength in laws with one
+    const auto scaled = [&](double by) { return by == 1 ? name : fmt::format("({}*{})", name, in_expression(1 / by)); };
+    if (name == "q") return scaled(change_.stress);
     if (name == "t") return scaled(change_.time);
     if (name != "T") return name;
     if (change_.degree == 1 && change_.zero == 0) return name;
-    const std::string difference = change_.zero == 0 ? name : fmt::format("(T - {})", digits(change_.zero));
-    return change_.degree == 1 ? difference : fmt::format("({}/{})", difference, digits(change_.degree));
+    const std::string difference = change_.zero == 0 ? name : fmt::format("(T - {})", in_expression(change_.zero));
+    return change_.degree == 1 ? difference : fmt::format("({}/{})", difference, in_expression(change_.degree));
   };
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
@@ -83,7 +83,7 @@ std::string UnitConversion::expression(const std::string& text) const {
 }
 
 std::string UnitConversion::text_of(const toml::node& value) const {
-  if (const auto number = number_in(value)) return digits(*number);
+  if (const auto number = number_in(value)) return in_expression(*number);
   if (const auto* text = value.as_string()) return '(' + expression(text->get()) + ')';
   if (const auto* table = value.as_table()) {
     std::vector<double> T = numbers_in(table->get("T"));
@@ -117,7 +117,7 @@ UnitConversion::Factor UnitConversion::factor(const UnitPowers& dimension, const
       result.number *= std::pow(scale, exponent.number * (exponent.is_reciprocal ? 1 / *number : *number));
     } else {
       if (!result.text.empty()) result.text += '*';
-      result.text += fmt::format("{}^({}{}{})", digits(scale), digits(exponent.number),
+      result.text += fmt::format("{}^({}{}{})", in_expression(scale), in_expression(exponent.number),
                                  exponent.is_reciprocal ? "/" : "*", text_of(*other));
     }
   }
@@ -141,15 +141,15 @@ void UnitConversion::append(const toml::node& value, const UnitPowers& dimension
     if (by.text.empty())
       into.push_back(number(*given, dimension, by));
     else
-      into.push_back(fmt::format("{}*{}", digits(by.number * *given), by.text));
+      into.push_back(fmt::format("{}*{}", in_expression(by.number * *given), by.text));
     return;
   }
   if (const auto* text = value.as_string()) {
     std::string made = expression(text->get());
     if (dimension.is_temperature() && !(change_.degree == 1 && change_.zero == 0))
-      made = fmt::format("({})*{} + {}", made, digits(change_.degree), digits(change_.zero));
+      made = fmt::format("({})*{} + {}", made, in_expression(change_.degree), in_expression(change_.zero));
     else if (!by.is_one())
-      made = fmt::format("({})*{}{}{}", made, digits(by.number), by.text.empty() ? "" : "*", by.text);
+      made = fmt::format("({})*{}{}{}", made, in_expression(by.number), by.text.empty() ? "" : "*", by.text);
     into.push_back(std::move(made));
     return;
   }
@@ -159,7 +159,7 @@ void UnitConversion::append(const toml::node& value, const UnitPowers& dimension
     return;
   }
   if (!by.text.empty()) {
-    into.push_back(fmt::format("{}*{}*{}", text_of(value), digits(by.number), by.text));
+    into.push_back(fmt::format("{}*{}*{}", text_of(value), in_expression(by.number), by.text));
     return;
   }
   toml::array T, values;

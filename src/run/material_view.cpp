@@ -232,13 +232,13 @@ class ViewFigures {
   std::string title_, key_;
 };
 
-std::string cell(double value) {
+std::string view_cell(double value) {
   return std::isfinite(value) ? fmt::format("{:.3g}", value) : "rupture";
 }
 
 /// Numbers of each variant, columns as wide as their longest entry.
-std::string table(const config::LibraryMaterial& steel, const std::vector<VariantBar>& bars,
-                  const std::vector<double>& stresses) {
+std::string view_table(const config::LibraryMaterial& steel, const std::vector<VariantBar>& bars,
+                       const std::vector<double>& stresses) {
   const auto time = [&](double value) { return with_unit(value, Dimension::time, steel.units); };
   const auto stress = [&](double value) { return with_unit(value, Dimension::stress, steel.units); };
   std::vector<std::vector<std::string>> rows{{"variant"}};
@@ -252,7 +252,8 @@ std::string table(const config::LibraryMaterial& steel, const std::vector<Varian
   for (const VariantBar& bar : bars) {
     std::vector<std::string> row{bar.name()};
     if (!stresses.empty())
-      for (const double t : {shorter, longer}) row.push_back(bar.creeps() ? cell(bar.strain(stresses.back(), t)) : "-");
+      for (const double t : {shorter, longer})
+        row.push_back(bar.creeps() ? view_cell(bar.strain(stresses.back(), t)) : "-");
     if (!stresses.empty() && bars.front().young_modulus())
       row.push_back(bar.creeps() ? stress(bar.relaxation(stresses.front(), {longer}).last.stress) : "-");
     row.push_back(bar.ruptures() ? stress(bar.rupture_strength(longer)) : "-");
@@ -293,7 +294,7 @@ MaterialView material_view(const std::string& name, const MaterialViewOptions& o
   if (first != bars.end())
     for (const double time : {1e3, 1e4, 1e5}) stresses.push_back(two_digits(first->stress_of(0.01, time)));
   if (!bars.empty()) {
-    view.text += table(steel, bars, stresses);
+    view.text += view_table(steel, bars, stresses);
     view.figures =
         ViewFigures(steel, bars, fmt::format("{} at {}", steel.name, with_unit(T, Dimension::temperature, steel.units)))
             .figures(stresses);

