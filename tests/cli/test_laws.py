@@ -96,9 +96,9 @@ class LawErrors(Says, unittest.TestCase):
         self.expect("rate_table", tests + "T = [700, 700, 750, 750]\n[temperature]\nvalue = 700")
         self.expect("rate_table", tests + "T = [700, 700, 750, 750]\n", ("", "[temperature]"))
         self.expect("rate_table", tests + "T = [700, 700, 750]\n", (".T", "3", "'stress'", "4"))
-        self.expect("rate_table", tests, (".stress", "80 twice"))
+        self.expect("rate_table", "stress = [80, 80]\nrate = [1e-6, 2e-6]", (".stress", "80 twice"))
         self.expect("rate_table", "stress = [80, 100]\nrate = [2e-6, 1e-6]", (".rate", "1e-06", "100", "2e-06", "increase"))
-        self.expect("rate_table", "stress = [0, 100]\nrate = [2e-6, 1e-6]", (".stress", "0", "> 0"))
+        self.expect("rate_table", "stress = [0, 100]\nrate = [2e-6, 1e-6]", (".stress[0]", "0", "> 0"))
         self.expect("hayhurst", "rate0 = 1e-10\nK = 10\nh1 = 3e4\nH1_limit = 1.3\nsigma0 = 20\nalpha = 2",
                     (".H1_limit", "1.3", "[0, 1]"), (".alpha", "2", "[0, 1]"))
         self.expect("hayhurst", "rate0 = 1e-10\nK = 10\nh1 = 3e4\nH1_limit = 0.3")
