@@ -70,7 +70,9 @@ class VariantBar {
   /// The largest stress that is low enough.
   template <class Low>
   static double solved(const Low& is_low) {
-    double low = 1e-3, high = 2e-3;
+    double low = 10;  // near zero polynomials in the logarithm of the stress mean nothing
+    while (low > 1e-3 && !is_low(low)) low /= 2;
+    double high = 2 * low;
     while (high < 1e12 && is_low(high)) high *= 2;
     for (int i = 0; i < 60; ++i) {
       const double middle = std::sqrt(low * high);

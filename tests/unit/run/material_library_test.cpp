@@ -329,6 +329,7 @@ TEST(MaterialView, ShowsAllVariantsOfASteel) {
     EXPECT_TRUE(std::ranges::is_sorted(series.y, std::greater()));
   for (const plot::Series& series : over_time.panels[2].series)
     EXPECT_TRUE(std::ranges::is_sorted(series.y, std::greater()));
+  EXPECT_EQ(view.text.find(" 0.001 "), std::string::npos) << "a strength where a polynomial has no meaning";
   const MaterialView one = material_view("grade_91", {.temperature = {}, .variant = "en_10216_2"});
   ASSERT_EQ(one.figures.size(), 1u);
   EXPECT_EQ(one.figures[0].figure.panels.size(), 1u);
