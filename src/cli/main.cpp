@@ -61,7 +61,7 @@ const std::vector<Command>& commands() {
 std::string help() {
   std::string text =
       fmt::format("{} COMMAND [arguments]\n\nCreep of bodies in contact.\n\nCommands\n", Processes::program());
-  for (const Command& command : commands()) text += fmt::format("  {:<8}{}\n", command.name, command.summary);
+  for (const Command& command : commands()) text += fmt::format("  {:<9}{}\n", command.name, command.summary);
   text +=
       "\nOptions\n  --help     show this help; after a command: help on it\n  --version  show the version; with "
       "--verbose also the libraries that decide the speed\n";

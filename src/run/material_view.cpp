@@ -70,7 +70,9 @@ class VariantBar {
   /// The largest stress that is low enough.
   template <class Low>
   static double solved(const Low& is_low) {
-    double low = 1e-3, high = 2e-3;
+    double low = 10;  // near zero polynomials in the logarithm of the stress mean nothing
+    while (low > 1e-3 && !is_low(low)) low /= 2;
+    double high = 2 * low;
     while (high < 1e12 && is_low(high)) high *= 2;
     for (int i = 0; i < 60; ++i) {
       const double middle = std::sqrt(low * high);
@@ -144,10 +146,11 @@ class ViewFigures {
       if (!series.empty()) over_time.panels.push_back({y, std::move(series)});
     };
     if (!stresses.empty()) {
-      add({"creep strain", true}, creep_curves(stresses));
-      add({labelled("stress of a held bar", Dimension::stress)}, relaxations(stresses.front()));
+      for (const double stress : stresses)
+        add({fmt::format("strain, {}", with_unit(stress, Dimension::stress, units_)), true}, creep_curves(stress));
+      add({labelled("held bar", Dimension::stress)}, relaxations(stresses.front()));
     }
-    add({labelled("stress to rupture", Dimension::stress), true}, strengths());
+    add({labelled("strength", Dimension::stress), true}, strengths());
     if (!over_time.panels.empty()) all.push_back({key_, over_time});
     if (!stresses.empty()) {
       plot::Panel curves{{labelled("stress", Dimension::stress)}, isochronous(stresses.front())};
@@ -165,16 +168,15 @@ class ViewFigures {
     return fmt::format("{} [{}]", what, unit_of(dimension, units_));
   }
 
-  std::vector<plot::Series> creep_curves(const std::vector<double>& stresses) const {
+  std::vector<plot::Series> creep_curves(double stress) const {
     std::vector<plot::Series> all;
     const std::vector<double> times = decades_of(1, longer, 8);
-    for (const VariantBar& bar : bars_)
-      for (const double stress : stresses) {
-        if (!bar.creeps()) continue;
-        plot::Series series{fmt::format("{}, {}", bar.name(), with_unit(stress, Dimension::stress, units_)), {}, {}};
-        add_points(series, times, bar.creep(stress, times), &material::BarState::creep_strain);
-        all.push_back(std::move(series));
-      }
+    for (const VariantBar& bar : bars_) {
+      if (!bar.creeps()) continue;
+      plot::Series series{bar.name(), {}, {}};
+      add_points(series, times, bar.creep(stress, times), &material::BarState::creep_strain);
+      all.push_back(std::move(series));
+    }
     return all;
   }
 
