@@ -1,4 +1,6 @@
 add_library(creepcontact_options INTERFACE)
+# All modules share their precompiled headers, so they share this flag too.
+target_link_libraries(creepcontact_options INTERFACE OpenMP::OpenMP_CXX)
 target_compile_options(creepcontact_options INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion)
 if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # Names of one source are no shadows in the next, and its types have the linkage of that source.

@@ -179,6 +179,7 @@ constexpr std::array words{
     KnownWord{"time", "outputs output_times times save save_at print", "the times of results are 'output'"},
     KnownWord{"time", "restart resume",
               "to continue from the last checkpoint, use the option --resume of creepcontact run"},
+    KnownWord{"time.integrator=", "rkc2", "it was removed; use 'auto' or 'cvode_bdf'"},
     KnownWord{"time.integrator=", "bdf", "backward differentiation formulas (BDF) are 'cvode_bdf'"},
     KnownWord{"time.integrator=", "adams", "Adams' methods are 'cvode_adams' and 'log_adams'"},
     KnownWord{"time.integrator=", "euler forward_euler explicit", "Euler's explicit method is 'explicit_euler'"},

@@ -62,10 +62,8 @@ void check_table(const Time& time, const Vocabulary& vocabulary, const Location&
   std::string wanted = in_lower_case(time.table);
   if (wanted.starts_with(prefix)) wanted.erase(0, prefix.size());
   if (std::find(found->second.begin(), found->second.end(), wanted) == found->second.end())
-    context.errors.add_unknown(
-        where,
-        fmt::format("{} has no table '{}' with an embedded method for error control", time.integrator, time.table),
-        wanted, found->second);
+    context.errors.add_unknown(where, fmt::format("{} has no table '{}'", time.integrator, time.table), wanted,
+                               found->second);
 }
 
 void check_cycles(const Time& time, const Item& item, Context& context) {
@@ -150,7 +148,7 @@ Value<Time> time_table(const Vocabulary& vocabulary) {
       field<TimeKeys>("residual_correction", &TimeKeys::residual_correction, number({.min = 0, .max = 1}),
                       "`beta_euler`: fraction of the nodal-force residual that the next step corrects"),
       field<TimeKeys>("table", &TimeKeys::table, name("a Butcher table of ARKODE"),
-                      "`arkode_erk`, `arkode_dirk`: a table with an embedded method")
+                      "`arkode_erk`, `arkode_dirk`: which method")
           .otherwise("the integrator's own"),
       field<TimeKeys>(
           "breakpoints", &TimeKeys::breakpoints, list(number(at_least(0))),

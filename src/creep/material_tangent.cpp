@@ -1,10 +1,10 @@
 #include "creepcontact/creep/material_tangent.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <optional>
 
 #include "creepcontact/base/index.hpp"
+#include "creepcontact/linalg/dense.hpp"
 #include "creepcontact/numerics/parallel.hpp"
 #include "linear_elimination.hpp"
 
@@ -12,14 +12,14 @@ namespace creepcontact::creep {
 namespace {
 
 Matrix6 compliance(const mechanics::ElasticState& elastic, std::size_t point) {
-  if (!elastic.matrices.empty()) return elastic.matrices[point].llt().solve(Matrix6::Identity());
+  if (!elastic.matrices.empty()) return linalg::inverse_of_positive(elastic.matrices[point]);
   const material::Moduli& h = elastic.at(point);
   return isotropic(1 / (2 * h.mu), 1 / (3 * h.lambda + 2 * h.mu));
 }
 
 /// D, symmetrised. @param creep  N_c
 Matrix6 modulus(const mechanics::ElasticState& elastic, std::size_t point, const Matrix6& creep) {
-  const Matrix6 inverse = Matrix6(compliance(elastic, point) + creep).partialPivLu().inverse();
+  const Matrix6 inverse = linalg::inverse(Matrix6(compliance(elastic, point) + creep));
   return 0.5 * (inverse + inverse.transpose());
 }
 

@@ -1,84 +1,207 @@
 #include "creepcontact/linalg/dense.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
 
 #include "creepcontact/base/index.hpp"
+#include "lapack.hpp"
 
 namespace creepcontact::linalg {
 namespace {
 
-template <typename Matrix>
-Matrix pseudo_inverse(const Matrix& matrix, double relative_limit) {
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(matrix);
-  const auto values = eigen.eigenvalues().array().eval();
-  const double limit = relative_limit * values.abs().maxCoeff();
-  const auto inverse = (values > limit).select(values.inverse(), 0.0).matrix().eval();
-  return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+int size(Index n) {
+  return static_cast<int>(n);
+}
+/// Distance of the columns of an array with so many rows: LAPACK wants at least 1.
+int stride(Index rows) {
+  return std::max(1, size(rows));
+}
+
+/// Calls routine(work, n_work, info) first for the size of the work space, then with it. @return  true on success
+template <typename Routine>
+bool call(const Routine& routine) {
+  double best = 0;
+  int n_work = -1, info = 0;
+  routine(&best, &n_work, &info);
+  n_work = std::max(1, static_cast<int>(best));
+  std::vector<double> work(static_cast<std::size_t>(n_work));
+  routine(work.data(), &n_work, &info);
+  return info == 0;
+}
+
+/// A = Q R: R in the upper triangle, what makes Q below it.
+struct Reflections {
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd tau;
+};
+Reflections reflections(const Eigen::MatrixXd& matrix) {
+  Reflections result{matrix, Eigen::VectorXd::Zero(std::min(matrix.rows(), matrix.cols()))};
+  const int m = size(matrix.rows()), n = size(matrix.cols()), step = stride(matrix.rows());
+  call([&](double* work, const int* n_work, int* info) {
+    dgeqrf_(&m, &n, result.matrix.data(), &step, result.tau.data(), work, n_work, info);
+  });
+  return result;
+}
+
+/// @param all_right  all right vectors and no left ones, else min(rows, columns) of both
+SingularValues decomposed(Eigen::MatrixXd matrix, bool all_right) {
+  const int m = size(matrix.rows()), n = size(matrix.cols()), k = std::min(m, n), n_right = all_right ? n : k;
+  Eigen::MatrixXd left(m, all_right ? 0 : k), right(n_right, n);
+  Eigen::VectorXd values(k);
+  const int step = stride(m), left_step = stride(m), right_step = stride(n_right);
+  const bool done = call([&](double* work, const int* n_work, int* info) {
+    dgesvd_(all_right ? "N" : "S", all_right ? "A" : "S", &m, &n, matrix.data(), &step, values.data(), left.data(),
+            &left_step, right.data(), &right_step, work, n_work, info, 1, 1);
+  });
+  if (!done) values.setConstant(nan);
+  return {std::move(left), std::move(values), right.transpose()};
 }
 
 }  // namespace
 
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix);
-  return {eigen.eigenvalues(), eigen.eigenvectors()};
+  SymmetricEigen result{Eigen::VectorXd(matrix.cols()), matrix};
+  const int n = size(matrix.cols()), step = stride(n);
+  const bool done = call([&](double* work, const int* n_work, int* info) {
+    dsyev_("V", "L", &n, result.vectors.data(), &step, result.values.data(), work, n_work, info, 1, 1);
+  });
+  if (!done) result.values.setConstant(nan);
+  return result;
 }
 
 Tensor6 eigenvalue_ratios(const Matrix6& a, const Matrix6& b) {
-  return Eigen::GeneralizedSelfAdjointEigenSolver<Matrix6>(a, b, Eigen::EigenvaluesOnly).eigenvalues();
+  Matrix6 left = a, right = b;
+  Tensor6 values;
+  const int type = 1, n = 6;
+  const bool done = call([&](double* work, const int* n_work, int* info) {
+    dsygv_(&type, "N", "L", &n, left.data(), &n, right.data(), &n, values.data(), work, n_work, info, 1, 1);
+  });
+  if (!done) values.setConstant(nan);
+  return values;
 }
 
 Eigen::MatrixXd symmetric_pseudo_inverse(const Eigen::MatrixXd& matrix, double relative_limit) {
-  return pseudo_inverse(matrix, relative_limit);
+  const SymmetricEigen eigen = symmetric_eigen(matrix);
+  double limit = 0;
+  for (const double value : eigen.values) limit = std::max(limit, relative_limit * std::abs(value));
+  Eigen::MatrixXd scaled = eigen.vectors;
+  for (Index i = 0; i < scaled.cols(); ++i) scaled.col(i) *= eigen.values[i] > limit ? 1 / eigen.values[i] : 0.0;
+  return scaled * eigen.vectors.transpose();
 }
 Matrix3 symmetric_pseudo_inverse(const Matrix3& matrix, double relative_limit) {
-  return pseudo_inverse(matrix, relative_limit);
+  return symmetric_pseudo_inverse(Eigen::MatrixXd(matrix), relative_limit);
 }
 
 SingularValues singular_values(const Eigen::MatrixXd& matrix) {
   if (matrix.size() == 0) return {Eigen::MatrixXd(matrix.rows(), 0), {}, Eigen::MatrixXd(matrix.cols(), 0)};
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
+  return decomposed(matrix, false);
 }
 
 Eigen::MatrixXd triangular_factor(const Eigen::MatrixXd& matrix) {
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(matrix);
-  return qr.matrixQR().topRows(std::min(matrix.rows(), matrix.cols())).triangularView<Eigen::Upper>();
+  const Eigen::MatrixXd factor = reflections(matrix).matrix;
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(std::min(matrix.rows(), matrix.cols()), matrix.cols());
+  for (Index j = 0; j < result.cols(); ++j)
+    for (Index i = 0; i <= std::min(j, result.rows() - 1); ++i) result(i, j) = factor(i, j);
+  return result;
 }
 
 RightSingularVectors right_singular_vectors(const Eigen::MatrixXd& matrix) {
   const Index n = matrix.cols();
   Eigen::MatrixXd square = Eigen::MatrixXd::Zero(n, n);
   if (matrix.rows() > 0) square.topRows(std::min(matrix.rows(), n)) = triangular_factor(matrix);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(square, Eigen::ComputeFullV);
-  return {svd.singularValues(), svd.matrixV()};
+  SingularValues svd = decomposed(std::move(square), true);
+  return {std::move(svd.values), std::move(svd.right)};
 }
 
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& matrix, double tolerance) {
   if (matrix.rows() == 0) return Eigen::MatrixXd::Identity(matrix.cols(), matrix.cols());
   const RightSingularVectors right = right_singular_vectors(matrix);
-  const Index rank = (right.values.array() > tolerance * std::max(1.0, right.values[0])).count();
+  const double limit = tolerance * std::max(1.0, right.values[0]);
+  const Index rank = std::ranges::count_if(right.values, [limit](double value) { return value > limit; });
   return right.vectors.rightCols(matrix.cols() - rank);
 }
 
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns) {
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), columns.cols());
+  Reflections result = reflections(columns);
+  const int m = size(columns.rows()), n = size(columns.cols()), step = stride(m);
+  call([&](double* work, const int* n_work, int* info) {
+    dorgqr_(&m, &n, &n, result.matrix.data(), &step, result.tau.data(), work, n_work, info);
+  });
+  return result.matrix;
 }
 
 Eigen::VectorXi column_pivots(const Eigen::MatrixXd& matrix) {
-  return Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(matrix).colsPermutation().indices();
+  Eigen::MatrixXd factor = matrix;
+  Eigen::VectorXi pivots = Eigen::VectorXi::Zero(matrix.cols());
+  std::vector<double> tau(static_cast<std::size_t>(matrix.cols()));
+  const int m = size(matrix.rows()), n = size(matrix.cols()), step = stride(m);
+  call([&](double* work, const int* n_work, int* info) {
+    dgeqp3_(&m, &n, factor.data(), &step, pivots.data(), tau.data(), work, n_work, info);
+  });
+  for (int& pivot : pivots) --pivot;
+  return pivots;
 }
 
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix) {
-  return matrix.partialPivLu().inverse();
+  Eigen::MatrixXd factors = matrix, result = Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols());
+  const int n = size(matrix.rows()), step = stride(n);
+  std::vector<int> pivots(static_cast<std::size_t>(n));
+  int info = 0;
+  dgesv_(&n, &n, factors.data(), &step, pivots.data(), result.data(), &step, &info);
+  if (info != 0) result.setConstant(nan);
+  return result;
+}
+
+Matrix6 inverse(const Matrix6& matrix) {
+  Matrix6 factors = matrix, result = Matrix6::Identity();
+  std::array<int, 6> pivots;
+  const int n = 6;
+  int info = 0;
+  dgesv_(&n, &n, factors.data(), &n, pivots.data(), result.data(), &n, &info);
+  if (info != 0) result.setConstant(nan);
+  return result;
+}
+
+namespace {
+/// result = A^-1 result. @param factor  A, overwritten
+template <typename Matrix, typename Right>
+Right solved(Matrix factor, Right result) {
+  const int n = size(factor.rows()), n_right = size(result.cols()), step = stride(n);
+  int info = 0;
+  dposv_("L", &n, &n_right, factor.data(), &step, result.data(), &step, &info, 1);
+  if (info != 0) result.setConstant(nan);
+  return result;
+}
+}  // namespace
+
+Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
+  return solved(matrix, right);
+}
+Tensor6 solve_positive(const Matrix6& matrix, const Tensor6& right) {
+  return solved(matrix, right);
+}
+Matrix6 inverse_of_positive(const Matrix6& matrix) {
+  return solved(matrix, Matrix6(Matrix6::Identity()));
 }
 
 Eigen::MatrixXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right, double threshold) {
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  if (threshold > 0) decomposition.setThreshold(threshold);
-  decomposition.compute(matrix);
-  return decomposition.solve(right);
+  const int m = size(matrix.rows()), n = size(matrix.cols()), n_right = size(right.cols());
+  if (threshold <= 0) threshold = std::numeric_limits<double>::epsilon() * std::min(m, n);
+  Eigen::MatrixXd factor = matrix, solution = Eigen::MatrixXd::Zero(std::max(m, n), n_right);
+  solution.topRows(m) = right;
+  const int step = stride(m), solution_step = stride(solution.rows());
+  std::vector<int> pivots(static_cast<std::size_t>(n));
+  int rank = 0;
+  const bool done = call([&](double* work, const int* n_work, int* info) {
+    dgelsy_(&m, &n, &n_right, factor.data(), &step, solution.data(), &solution_step, pivots.data(), &threshold, &rank,
+            work, n_work, info);
+  });
+  if (!done) solution.setConstant(nan);
+  return solution.topRows(n);
 }
 
 }  // namespace creepcontact::linalg

@@ -1,9 +1,9 @@
 #include "creepcontact/mechanics/discretization.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/linalg/dense.hpp"
 #include "creepcontact/numerics/parallel.hpp"
 #include "element_block.hpp"
 #include "linear_reconstruction.hpp"
@@ -140,7 +140,7 @@ mesh::CellType Discretization::element_type(std::size_t element) const {
 
 Tensor6 ElasticState::elastic_strain(std::size_t point, const Tensor6& stress) const {
   if (matrices.empty()) return material::elastic_strain(at(point), stress);
-  return matrices[point].llt().solve(stress);
+  return linalg::solve_positive(matrices[point], stress);
 }
 
 void Discretization::stress(std::span<const double> u, const ElasticState& elastic, CreepStrainView creep,

@@ -176,27 +176,28 @@ void ElementBlock::find_linear_functions(const std::vector<Vector3>& nodes) {
 }
 
 void ElementBlock::measure_bubbles() {
-  Eigen::MatrixX3d gradients(n_points_, 3);
+  std::vector<Vector3> gradients(n_points_);
   for (std::size_t e = 0; e < n_elements(); ++e) {
-    for (std::size_t p = 0; p < n_points_; ++p) {
-      const Index row = p;
-      gradients.row(row) = bubble_derivatives_.row(row) * inverse_jacobian(e, p);
-    }
     const auto weight = weights(e);
-    const Eigen::Map<const Eigen::MatrixX3d> linear(linear_functions(e), weight.size(), 3);
-    if (section_.is_axisymmetric()) {
-      Eigen::MatrixX3d divergence = gradients;
-      for (std::size_t p = 0; p < n_points_; ++p)
-        divergence(static_cast<Index>(p), 0) += bubble_values_[p] * inverse_radius(e)[p];
-      bubbles_.push_back({Vector3::Zero(), linear.transpose() * weight.asDiagonal() * divergence, Matrix3::Zero(),
-                          divergence.transpose() * weight / weight.sum()});
-      continue;
+    const double volume = weight.sum();
+    Vector3 mean = Vector3::Zero();
+    for (std::size_t p = 0; p < n_points_; ++p) {
+      gradients[p] = inverse_jacobian(e, p).transpose() * bubble_derivatives_.row(static_cast<Index>(p)).transpose();
+      // The divergence, where it is more than the gradient.
+      if (section_.is_axisymmetric()) gradients[p][0] += bubble_values_[p] * inverse_radius(e)[p];
+      mean += weight[static_cast<Index>(p)] / volume * gradients[p];
     }
-    const Vector3 mean = gradients.transpose() * weight / weight.sum();
-    gradients.rowwise() -= mean.transpose();
-    const Matrix3 squares = gradients.transpose() * weight.asDiagonal() * gradients;
-    bubbles_.push_back({mean, linear.transpose() * weight.asDiagonal() * gradients,
-                        squares / 3 + squares.trace() * Matrix3::Identity()});
+    Bubble bubble{Vector3::Zero(), Matrix3::Zero(), Matrix3::Zero()};
+    (section_.is_axisymmetric() ? bubble.mean_divergence : bubble.mean_gradient) = mean;
+    Matrix3 squares = Matrix3::Zero();
+    for (std::size_t p = 0; p < n_points_; ++p) {
+      const double* const linear = linear_functions(e) + p;
+      const Vector3 own = gradients[p] - bubble.mean_gradient, weighted = weight[static_cast<Index>(p)] * own;
+      bubble.moments += Vector3(linear[0], linear[n_points_], linear[2 * n_points_]) * weighted.transpose();
+      squares += weighted * own.transpose();
+    }
+    if (!section_.is_axisymmetric()) bubble.shear = squares / 3 + squares.trace() * Matrix3::Identity();
+    bubbles_.push_back(bubble);
   }
 }
 
@@ -228,9 +229,16 @@ Eigen::MatrixXd ElementBlock::to_corners() const {
 Eigen::MatrixXd ElementBlock::mean_stress_at_nodes(std::size_t e, const std::vector<Vector3>& nodes,
                                                    const Eigen::Ref<const Eigen::MatrixXd>& at_points) const {
   const Eigen::MatrixXd basis = this->basis(e);
-  const Eigen::MatrixXd fitted = basis * (basis.transpose() * (weights(e).asDiagonal() * at_points));
+  const auto weight = weights(e);
+  Eigen::MatrixXd fitted = Eigen::MatrixXd::Zero(n_points_, at_points.cols());
+  for (Index field = 0; field < fitted.cols(); ++field)
+    for (Index j = 0; j < basis.cols(); ++j) {
+      double moment = 0;
+      for (Index p = 0; p < fitted.rows(); ++p) moment += basis(p, j) * weight[p] * at_points(p, field);
+      fitted.col(field) += moment * basis.col(j);
+    }
   // The fit is linear in the place: its values at the points give those at the nodes.
-  Eigen::MatrixX4d points(n_points_, 4), places(n_nodes_, 4);
+  Eigen::MatrixXd points(n_points_, 4), places(n_nodes_, 4);
   const Vector3 origin = point(e, 0, nodes);
   for (std::size_t p = 0; p < n_points_; ++p) points.row(p) << 1, (point(e, p, nodes) - origin).transpose();
   const auto cell = this->nodes(e);

@@ -53,7 +53,7 @@ LinearReconstruction::LinearReconstruction(const Blocks& blocks, const NodeEntri
       }
       neighbours_.insert(neighbours_.end(), around.begin(), around.end());
       offsets_.push_back(neighbours_.size());
-      inverse_.push_back(linalg::symmetric_pseudo_inverse(normal, not_spanned));
+      inverse_.push_back(around.empty() ? Matrix3::Zero() : linalg::symmetric_pseudo_inverse(normal, not_spanned));
     }
 }
 

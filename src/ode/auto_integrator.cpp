@@ -15,8 +15,6 @@ namespace {
 
 constexpr std::size_t window = 30;        // steps looked back on
 constexpr std::int64_t max_failures = 6;  // of the iterations in so many steps: a kink of a load costs some
-constexpr std::int64_t max_mean_stages =
-    40;  // of rkc2 in a step on average, some ten times the solves of an implicit one
 /// Solves of cvode_bdf per step on average: where bodies relax a million times faster than others, GMRES needs many,
 /// and the residual that remains keeps the steps short. The tangent stiffness then takes half the steps or fewer, and a
 /// tenth of the solves.
@@ -28,14 +26,11 @@ constexpr std::size_t min_steps_before_tangent = 300;  // a restart costs more t
 constexpr std::int64_t failures_of_short_steps = 2;
 constexpr double error_of_short_steps = 0.05;
 constexpr std::int64_t max_failures_of_tangent = 20;  // a failure costs a few solves, other methods far more
-constexpr double max_stable_steps = 300;              // in a step, for rkc2 to take over: 25 stages
 
-/// Part of the tolerance for rkc2: its errors add up where rates are graded, to four tolerances at 1e-3 and seven at
-/// 1e-4.
-constexpr double stabilized_share = 0.2;
 /// Part of the tolerance for cvode_bdf: its errors add up to three tolerances where stress relaxes by several
 /// mechanisms.
 constexpr double implicit_share = 0.5;
+constexpr int removed_method = 2;         // that checkpoints of earlier versions may name
 constexpr std::size_t quiet_steps = 200;  // after which methods given up may be tried again
 
 constexpr std::size_t steps_per_estimate = 20;  // see estimate_remaining_steps()
@@ -58,11 +53,9 @@ AutoIntegrator::AutoIntegrator(System& system, const IntegratorOptions& options)
 
 std::unique_ptr<Integrator> AutoIntegrator::make(Method method) const {
   IntegratorOptions options = options_;
-  if (method == Method::stabilized) options.tolerance *= stabilized_share;
   if (method == Method::krylov) options.tolerance *= implicit_share;
   options.linear_solver = method == Method::tangent ? LinearSolver::tangent : LinearSolver::krylov;
-  const char* name = method == Method::stabilized ? "rkc2" : is_functional(method) ? describe(method) : "cvode_bdf";
-  return make_integrator(name, system_, options);
+  return make_integrator(is_functional(method) ? describe(method) : "cvode_bdf", system_, options);
 }
 
 const char* AutoIntegrator::describe(Method method) {
@@ -71,8 +64,6 @@ const char* AutoIntegrator::describe(Method method) {
       return "cvode_bdf";
     case Method::tangent:
       return "cvode_bdf with linear_solver = \"tangent\"";
-    case Method::stabilized:
-      return "rkc2";
     case Method::cvode_adams:
       return "cvode_adams";
     case Method::log_adams:
@@ -123,7 +114,7 @@ StepReport AutoIntegrator::step(double t_limit) {
   // Not right after the step that showed it: interpolate() has needed the integrator until now.
   if (trouble_) {
     const std::optional<Method> wanted = std::exchange(wanted_, std::nullopt);
-    change_to(wanted ? *wanted : choose(last_step_), reason_, !wanted && !is_functional(method_));
+    change_to(wanted ? *wanted : choose(), reason_, !wanted && !is_functional(method_));
   }
   for (;;) {
     try {
@@ -136,7 +127,7 @@ StepReport AutoIntegrator::step(double t_limit) {
     } catch (const SolverError& error) {
       given_up_.insert(method_);
       if (failure_.empty()) failure_ = error.what();
-      const Method next = choose(last_step_ > 0 ? last_step_ : t_limit - time());
+      const Method next = choose();
       if (next == method_)
         throw SolverError(
             fmt::format("auto: {}{}", failure_, failure_ == error.what() ? "" : " Other methods fail too."));
@@ -150,11 +141,10 @@ void AutoIntegrator::watch(const StepReport& report, double t_limit) {
   if (++steps_with_method_ == quiet_steps) given_up_.clear();
   if (is_functional(method_) && steps_with_method_ % steps_per_estimate == 0) estimate_remaining_steps(t_limit);
   if (trouble_) return;
-  recent_.push_back({current_->counters().convergence_failures, system_.counters().rate_evaluations,
-                     system_.counters().jacobian_products, report.error_estimate});
+  recent_.push_back(
+      {current_->counters().convergence_failures, system_.counters().jacobian_products, report.error_estimate});
   if (recent_.size() <= window) return;
   const std::int64_t failures = recent_.back().failures - recent_.front().failures;
-  const std::int64_t stages = (recent_.back().evaluations - recent_.front().evaluations) / std::int64_t{window};
   const double products = static_cast<double>(recent_.back().products - recent_.front().products) / window;
   recent_.pop_front();
   const bool may_take_tangent =
@@ -166,16 +156,12 @@ void AutoIntegrator::watch(const StepReport& report, double t_limit) {
         fmt::format("iterations that failed {} times, and not the errors, limit the {} steps before t = "
                     "{:.6g}",
                     failures, window, report.time));
-  trouble_ = method_ == Method::stabilized
-                 ? stages > max_mean_stages
-                 : failures > (method_ == Method::tangent ? max_failures_of_tangent : max_failures);
+  trouble_ = failures > (method_ == Method::tangent ? max_failures_of_tangent : max_failures);
   if (!trouble_ && may_take_tangent && products > max_mean_products && steps_with_method_ >= min_steps_before_tangent)
     return change_later(Method::tangent,
                         fmt::format("{:.2g} Jacobian products per step at t = {:.6g}", products, report.time));
   if (!trouble_) return;
-  reason_ = method_ == Method::stabilized ? fmt::format("{} stages per step at t = {:.6g}", stages, report.time)
-                                          : fmt::format("iterations failed {} times in the {} steps before t = {:.6g}",
-                                                        failures, window, report.time);
+  reason_ = fmt::format("iterations failed {} times in the {} steps before t = {:.6g}", failures, window, report.time);
   given_up_.insert(method_);
 }
 
@@ -198,14 +184,11 @@ void AutoIntegrator::estimate_remaining_steps(double t_limit) {
   reason_ = fmt::format("from t = {:.6g} on, the former would need about {:.2g} more steps", time(), *ahead);
 }
 
-AutoIntegrator::Method AutoIntegrator::choose(double step) {
+AutoIntegrator::Method AutoIntegrator::choose() const {
   const auto free = [&](Method method) { return !given_up_.contains(method); };
   if (is_functional(method_) && free(Method::krylov)) return Method::krylov;
-  const bool moderate = step <= max_stable_steps * system_.stable_step(time(), state());
-  if (free(Method::stabilized) && moderate) return Method::stabilized;
   if (free(Method::tangent) && system_.newton_solver() != nullptr) return Method::tangent;
-  if (free(Method::krylov)) return Method::krylov;
-  return free(Method::stabilized) && method_ != Method::stabilized ? Method::stabilized : method_;
+  return free(Method::krylov) ? Method::krylov : method_;
 }
 
 void AutoIntegrator::change_to(Method method, const std::string& reason, bool has_failed) {
@@ -236,6 +219,7 @@ RestartPoint AutoIntegrator::save() const {
 
 void AutoIntegrator::restore(const RestartPoint& point) {
   point.memory.restore("auto", *this, saved_members);
+  if (static_cast<int>(method_) == removed_method) method_ = Method::krylov;
   std::vector<Method> given_up;
   point.memory.restore("auto.given_up", given_up);
   given_up_ = {given_up.begin(), given_up.end()};

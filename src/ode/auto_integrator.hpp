@@ -15,9 +15,8 @@ namespace creepcontact::ode {
 /// Begins with log_adams, which needs no Jacobian products and one evaluation per step; where creep hardly changes the
 /// stress, with cvode_adams. Where the steps of either stay short though they exceed the stable one, so that stability
 /// may be what limits them, cvode_bdf takes over as soon as the steps that lie ahead cost more than that would. Where
-/// the iterations of cvode_bdf fail in many steps, or no step succeeds, it goes on with rkc2 if the steps are moderate
-/// multiples of the stable one, else with the tangent stiffness if the system offers it; from rkc2 back when its stages
-/// have become too many. Every change is logged.
+/// its iterations fail in many steps, or no step succeeds, it goes on with the tangent stiffness if the system offers
+/// it. Every change is logged.
 class AutoIntegrator final : public Integrator {
  public:
   AutoIntegrator(System& system, const IntegratorOptions& options);
@@ -39,7 +38,7 @@ class AutoIntegrator final : public Integrator {
   void restore(const RestartPoint& point) override;
 
  private:
-  enum class Method { krylov, tangent, stabilized, cvode_adams, log_adams };  // numbers of checkpoints
+  enum class Method { krylov = 0, tangent = 1, cvode_adams = 3, log_adams = 4 };  // numbers of checkpoints
   static bool is_functional(Method method) { return method == Method::cvode_adams || method == Method::log_adams; }
 
   std::unique_ptr<Integrator> make(Method method) const;
@@ -53,15 +52,15 @@ class AutoIntegrator final : public Integrator {
   void change_later(Method method, std::string reason);
   void estimate_remaining_steps(double t_limit);
   /// The best of those not given up, or the present one if there is none.
-  Method choose(double step);
+  Method choose() const;
   /// @param has_failed  the present one, which is worth a warning
   void change_to(Method method, const std::string& reason, bool has_failed);
   /// Starts another method from the present state. @param step  see initialize()
   void go_on_with(Method method, double step);
 
   struct Observation {
-    std::int64_t failures, evaluations, products;  ///< counters after the step
-    double error;                                  ///< estimate for the step
+    std::int64_t failures, products;  ///< counters after the step
+    double error;                     ///< estimate for the step
   };
   System& system_;
   const IntegratorOptions options_;

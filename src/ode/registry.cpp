@@ -9,7 +9,6 @@
 #include "euler/explicit_euler.hpp"
 #include "euler/isochronous.hpp"
 #include "log_adams.hpp"
-#include "runge_kutta_chebyshev.hpp"
 #include "singular_start.hpp"
 #include "sundials/arkode_integrator.hpp"
 #include "sundials/butcher_tables.hpp"
@@ -27,8 +26,8 @@ std::unique_ptr<Integrator> make(System& system, const IntegratorOptions& option
 const std::vector<IntegratorInfo>& integrators() {
   static const std::vector<IntegratorInfo> all = {
       {"auto",
-       "the default: chooses by itself, `log_adams` while stress relaxes, `cvode_bdf` when creep becomes steady, "
-       "`rkc2` or the tangent stiffness if these fail",
+       "the default: chooses by itself, `log_adams` while stress relaxes, `cvode_bdf` when creep becomes steady, with "
+       "the tangent stiffness if its iterations fail",
        make<AutoIntegrator>},
       {"explicit_euler", "explicit Euler; fixed, stable or adaptive steps (Stankevich 2012)", make<ExplicitEuler>},
       {"beta_euler",
@@ -44,17 +43,14 @@ const std::vector<IntegratorInfo>& integrators() {
        "evaluation per step",
        make<LogAdams>},
       {"arkode_erk",
-       "ARKODE explicit Runge-Kutta, 3(2) of Bogacki and Shampine (`table = \"bogacki_shampine_4_2_3\"`) or another, "
-       "error control: for times short compared with the relaxation",
+       "ARKODE explicit Runge-Kutta, 3(2) of Bogacki and Shampine (`table = \"bogacki_shampine_4_2_3\"`), or 5(4) of "
+       "Dormand and Prince (`table = \"dormand_prince_7_4_5\"`), error control: for times short compared with the "
+       "relaxation",
        ArkodeIntegrator::explicit_rk, table_names(explicit_tables())},
       {"arkode_dirk",
-       "ARKODE implicit Runge-Kutta, ESDIRK 3(2) (`table = \"ark324l2sa_dirk_4_2_3\"`) or another, Newton-Krylov, "
-       "error control: restarts without loss of "
-       "order",
+       "ARKODE implicit Runge-Kutta, ESDIRK 3(2) (`table = \"ark324l2sa_dirk_4_2_3\"`), Newton-Krylov, error control: "
+       "restarts without loss of order",
        ArkodeIntegrator::diagonally_implicit_rk, table_names(diagonally_implicit_tables())},
-      {"rkc2",
-       "stabilised explicit Runge-Kutta-Chebyshev of order 2, error control: for moderate stiffness, no Jacobian",
-       make<RungeKuttaChebyshev>},
       {.name = "isochronous",
        .description = "no integration: equilibrium of ageing theory at every output time, Newton; for the law "
                       "`ageing`, which needs it",

@@ -15,9 +15,9 @@ struct Loss {
   double few, power;
 };
 
-// Errors fall about as the square root of the tolerance with the first three, nearly as the tolerance with the others.
+// Errors fall about as the square root of the tolerance with the first two, nearly as the tolerance with the others.
 const std::map<std::string, Loss> losses{
-    {"cvode_bdf", {12, 2}}, {"rkc2", {12, 2}}, {"cvode_adams", {12, 2}}, {"log_adams", {40, 1}}, {"auto", {40, 1}}};
+    {"cvode_bdf", {12, 2}}, {"cvode_adams", {12, 2}}, {"log_adams", {40, 1}}, {"auto", {40, 1}}};
 
 }  // namespace
 
@@ -30,11 +30,9 @@ double restart_share(const std::string& integrator, double restarts) {
   return std::max(least_share, std::pow(few / counted, power));
 }
 
-double vibration_share(const std::string& integrator, double turns) {
+double vibration_share(double turns) {
   constexpr double few = 100, least = 1e-3;
-  if (turns <= few) return 1;
-  const double power = integrator == "rkc2" ? 2 : 1;  // of low order
-  return std::max(least, std::pow(few / turns, power));
+  return turns <= few ? 1 : std::max(least, few / turns);
 }
 
 }  // namespace creepcontact::ode

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "creepcontact/mechanics/element_rotation.hpp"
-
 namespace creepcontact::results {
 namespace {
 
@@ -25,7 +23,15 @@ PointStrain largest_strain(const mechanics::Body& body, const mechanics::BodyCon
                            const std::vector<double>& stress, const mechanics::CreepStrainView& creep, double limit) {
   const mechanics::ElasticState elastic = conditions.elastic();
   PointStrain largest;
+  const bool is_plain = elastic.matrices.empty() && !elastic.has_thermal_strain();
   for (std::size_t p = 0; p < body.discretization().n_points(); ++p) {
+    // The compliance of isotropic elasticity is at most 1/(2 mu) for nu >= 0, elsewhere 1/(3 lambda + 2 mu).
+    if (is_plain) {
+      const mechanics::Moduli& h = elastic.at(p);
+      const double stiffness = std::min(2 * h.mu, 3 * h.lambda + 2 * h.mu);
+      const double creep_strain = creep.empty() ? 0 : creep.at(p).norm();
+      if (tensor::view(stress, p).norm() < (std::max(limit, largest.value) - creep_strain) * stiffness) continue;
+    }
     Tensor6 strain = elastic.elastic_strain(p, tensor::view(stress, p)) + elastic.thermal(p);
     if (!creep.empty()) strain += creep.at(p);
     if (!(strain.norm() > std::max(limit, largest.value))) continue;  // a bound of the principal ones
@@ -36,6 +42,10 @@ PointStrain largest_strain(const mechanics::Body& body, const mechanics::BodyCon
 }
 
 }  // namespace
+
+SmallStrainMonitor::SmallStrainMonitor(const creep::CreepSystem& system) : system_(system) {
+  for (const mechanics::Body& body : system.assembly().bodies()) rotations_.emplace_back(body);
+}
 
 template <typename Place>
 void SmallStrainMonitor::take(Largest& largest, double limit, double value, std::size_t body, double time,
@@ -59,7 +69,7 @@ void SmallStrainMonitor::observe(double time, const creep::Evaluation& at) {
         largest_strain(bodies[b], at.equilibrium.conditions[b], state.stress, creep[b], min_reported_strain);
     take(strain_, min_reported_strain, strain.value, b, time,
          [&] { return bodies[b].discretization().point_coordinates()[strain.point]; });
-    const mechanics::ElementRotation rotation = mechanics::largest_rotation(bodies[b], state.displacement);
+    const mechanics::ElementRotation rotation = rotations_[b].largest(state.displacement, min_reported_rotation);
     take(rotation_, min_reported_rotation, rotation.angle, b, time, [&] { return rotation.position; });
   }
 }

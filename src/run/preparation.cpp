@@ -123,7 +123,7 @@ std::unique_ptr<ode::Integrator> make_integrator(const config::Config& config, c
   const auto restarts =
       static_cast<double>(time.jump_cycles ? model.distinct_breakpoints().size() : model.breakpoints.size());
   options.tolerance *= std::min(ode::restart_share(time.integrator, restarts),
-                                ode::vibration_share(time.integrator, model.step_limits.n_steps() / steps_per_turn));
+                                ode::vibration_share(model.step_limits.n_steps() / steps_per_turn));
   return ode::make_integrator(time.integrator, system, options);
 }
 

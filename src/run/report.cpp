@@ -191,7 +191,7 @@ std::vector<std::string> advice(const Summary& run) {
   if (summary.integrator != "auto" && share(summary.convergence_failures, summary.steps) > many_failures)
     lines.push_back(
         fmt::format("the iterations of the implicit steps failed {} times in {} steps.{} Try "
-                    "another time.integrator (rkc2, arkode_erk), or a tighter contact_solver.tolerance",
+                    "another time.integrator (auto, arkode_erk), or a tighter contact_solver.tolerance",
                     summary.convergence_failures, summary.steps, where(summary, diagnosis)));
   if (share(summary.rejected_steps, summary.steps) > many_rejections)
     lines.push_back(

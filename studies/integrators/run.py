@@ -45,7 +45,6 @@ METHODS = {
     "auto": (["integrator=auto"], TOLERANCES),
     "cvode_bdf": (["integrator=cvode_bdf"], TOLERANCES),
     "cvode_bdf, tangent": (["integrator=cvode_bdf", "linear_solver=tangent"], TOLERANCES),
-    "rkc2": (["integrator=rkc2"], TOLERANCES),
     "arkode_dirk": (["integrator=arkode_dirk"], TOLERANCES),
     "arkode_dirk, tangent": (["integrator=arkode_dirk", "linear_solver=tangent"], TOLERANCES),
     "cvode_adams": (["integrator=cvode_adams"], TOLERANCES),

@@ -10,7 +10,7 @@ import sys
 import run
 
 ENDS = [0.1, 0.3, 1, 3, 10]
-METHODS = ["auto", "rkc2", "cvode_adams", "log_adams", "arkode_erk, dormand_prince_7_4_5"]
+METHODS = ["auto", "cvode_adams", "log_adams", "arkode_erk, dormand_prince_7_4_5"]
 TOLERANCE = 1e-4
 
 

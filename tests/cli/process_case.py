@@ -9,6 +9,7 @@ import unittest
 
 from says import Says
 from study_case import BASE, GEOMETRY
+from waiting import LONGEST
 
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 
@@ -42,7 +43,7 @@ class ProcessTest(Says, unittest.TestCase):
 
     def call(self, *arguments, **more):
         process = self.start(*arguments, **more)
-        output, errors = process.communicate(timeout=100)
+        output, errors = process.communicate(timeout=LONGEST)
         return subprocess.CompletedProcess(arguments, process.returncode, output, errors)
 
     def status(self):

@@ -7,16 +7,18 @@ import pathlib
 import subprocess
 import tempfile
 
+from waiting import LONGEST
+
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 STUDIES = pathlib.Path(__file__).resolve().parents[2] / "studies"
 
 
-def run_study(name, timeout=100):
+def run_study(name):
     """The rows of study.csv, as text by column; name: relative to studies/, as "step_size/fast.toml"."""
     with tempfile.TemporaryDirectory() as directory:
         output = pathlib.Path(directory) / "results"
         done = subprocess.run([PROGRAM, "study", str(STUDIES / name), "--output", str(output)], cwd=directory,
-                              capture_output=True, text=True, timeout=timeout)
+                              capture_output=True, text=True, timeout=LONGEST)
         if done.returncode != 0:
             raise AssertionError(f"{name}: exit status {done.returncode}\n{done.stdout}{done.stderr}")
         with open(output / "study.csv", newline="") as file:

@@ -8,6 +8,7 @@ import tempfile
 import unittest
 
 from says import Says
+from waiting import LONGEST
 
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 
@@ -90,7 +91,7 @@ class StudyTest(Says, unittest.TestCase):
         return self.call("study", "study.toml", *more)
 
     def call(self, *arguments):
-        return subprocess.run([PROGRAM, *arguments], cwd=self.directory, capture_output=True, text=True, timeout=100)
+        return subprocess.run([PROGRAM, *arguments], cwd=self.directory, capture_output=True, text=True, timeout=LONGEST)
 
     def rows(self):
         with open(self.output / "study.csv", newline="") as file:

@@ -6,6 +6,7 @@ import subprocess
 import unittest
 
 from test_runs import PROGRAM, SHORT, RunTest
+from waiting import LONGEST
 
 CONFIGS = pathlib.Path(__file__).resolve().parents[2] / "configs"
 
@@ -58,7 +59,7 @@ class Remarks(RunTest):
         for config in sorted(CONFIGS.glob("*.toml")):
             with self.subTest(config.stem):
                 done = subprocess.run([PROGRAM, "check", str(config), "--output", str(self.output)], cwd=self.directory,
-                                      capture_output=True, text=True, timeout=100)
+                                      capture_output=True, text=True, timeout=LONGEST)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 for remark in self.REMARKS:
                     self.assertNotRegex(done.stdout, remark)

@@ -8,6 +8,7 @@ import tempfile
 import unittest
 
 from says import Says
+from waiting import LONGEST
 
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 COMMANDS = ("run", "check", "study", "plot", "list")
@@ -31,7 +32,7 @@ output = [1, 20]
 
 
 def call(*arguments, directory=None):
-    return subprocess.run([PROGRAM, *arguments], cwd=directory, capture_output=True, text=True, timeout=50)
+    return subprocess.run([PROGRAM, *arguments], cwd=directory, capture_output=True, text=True, timeout=LONGEST)
 
 
 class CliTest(Says, unittest.TestCase):
@@ -64,13 +65,13 @@ class Help(CliTest):
             self.assertRegex(done.stdout, rf"(?m)^{library}: .*openblas")
         self.assertNotIn("slow", done.stdout)
         loaded = subprocess.run([PROGRAM, "--version"], env={**os.environ, "LD_TRACE_LOADED_OBJECTS": "1"},
-                                capture_output=True, text=True, timeout=50).stdout
+                                capture_output=True, text=True, timeout=LONGEST).stdout
         for name in ("atlas", "f77blas", "ceres"):
             self.assertNotIn(name, loaded)
         atlas = re.search(r"\S*libf77blas\.so\S*", subprocess.run(["ldconfig", "-p"], capture_output=True, text=True).stdout)
         if atlas:
             with_atlas = subprocess.run([PROGRAM, "--version", "--verbose"], env={**os.environ, "LD_PRELOAD": atlas[0]},
-                                        capture_output=True, text=True, timeout=50)
+                                        capture_output=True, text=True, timeout=LONGEST)
             self.assertIn("is ATLAS", with_atlas.stdout)
         self.expect_error(call("--version", "--quiet"), "allowed: --verbose")
 

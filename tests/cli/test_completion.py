@@ -7,8 +7,9 @@ import re
 import select
 import subprocess
 import tempfile
-import time
 import unittest
+
+from waiting import LONGEST
 
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "completions/creepcontact"
@@ -47,7 +48,7 @@ class Completion(CompletionTest):
         array = " ".join(f"'{word}'" for word in words)
         setting = f"COMP_LINE='{line}' COMP_POINT={len(line)} COMP_WORDS=({array}) COMP_CWORD={len(words) - 1}\n"
         done = subprocess.run(["bash", "--norc", "-c", setting + shell], cwd=self.directory, capture_output=True,
-                              text=True, timeout=50)
+                              text=True, timeout=LONGEST)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return sorted(done.stdout.splitlines())
 
@@ -109,7 +110,7 @@ class Completion(CompletionTest):
     def test_nothing_where_the_program_is_missing(self):
         line = "COMP_LINE='/nowhere/creepcontact run --set t' COMP_POINT=34 COMP_WORDS=(/nowhere/creepcontact run --set t)"
         done = subprocess.run(["bash", "--norc", "-c", f"{line} COMP_CWORD=3; source {SCRIPT}; _creepcontact"],
-                              capture_output=True, text=True, timeout=50)
+                              capture_output=True, text=True, timeout=LONGEST)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 
@@ -125,11 +126,10 @@ class CompletionAtTerminal(CompletionTest):
         self.addCleanup(os.close, terminal)
 
         def read_until(mark):
-            heard, end = b"", time.monotonic() + 40
-            while mark not in heard and time.monotonic() < end:
-                if select.select([terminal], [], [], 0.2)[0]:
-                    heard += os.read(terminal, 4096)
-            self.assertIn(mark, heard)
+            heard = b""
+            while mark not in heard:
+                self.assertTrue(select.select([terminal], [], [], LONGEST)[0], heard)
+                heard += os.read(terminal, 4096)
             return heard.decode()
 
         os.write(terminal, f"stty -echo; source {SCRIPT}; echo rea''dy\n".encode())

@@ -9,12 +9,14 @@ import sys
 import tempfile
 import unittest
 
+from waiting import LONGEST
+
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def call(*arguments):
-    done = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=50)
+    done = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=LONGEST)
     if done.returncode != 0:
         raise AssertionError(done.stderr)
     return done.stdout
@@ -22,7 +24,7 @@ def call(*arguments):
 
 def renew(root, *options):
     return subprocess.run([sys.executable, str(root / "scripts/renew_docs"), *options, PROGRAM], capture_output=True,
-                          text=True, timeout=100)
+                          text=True, timeout=LONGEST)
 
 
 def document(name):
@@ -149,7 +151,7 @@ class Defaults(unittest.TestCase):
             config = pathlib.Path(directory) / "case.toml"
             config.write_text(EVERY_TABLE, encoding="utf-8")
             options = [option for setting in settings for option in ("--set", setting)]
-            done = subprocess.run([PROGRAM, "check", str(config), *options], capture_output=True, text=True, timeout=50)
+            done = subprocess.run([PROGRAM, "check", str(config), *options], capture_output=True, text=True, timeout=LONGEST)
         self.assertIn("missing.geo" if done.returncode != 2 else "error: ", done.stderr)
         return [line for line in done.stderr.splitlines() if done.returncode == 2]
 

@@ -6,6 +6,7 @@ import subprocess
 import unittest
 
 from test_runs import PROGRAM, RunTest
+from waiting import LONGEST
 
 CONFIGS = pathlib.Path(__file__).resolve().parents[2] / "configs"
 SHORT = {"time.end": "100", "time.output": "[1, 10]", "output.fields": "false"}
@@ -16,7 +17,7 @@ class ExampleTest(RunTest):
         settings = SHORT | (changes or {}) | {f"mesh.parameters.{key}": str(value) for key, value in parameters.items()}
         options = [part for key, value in settings.items() for part in ("--set", f"{key}={value}")]
         done = subprocess.run([PROGRAM, "run", str(CONFIGS / name), "--output", str(self.output), *options],
-                              cwd=self.directory, capture_output=True, text=True, timeout=100)
+                              cwd=self.directory, capture_output=True, text=True, timeout=LONGEST)
         self.assertEqual(done.returncode, 0, done.stderr)
         rows = self.table("history.csv")
         if not changes:
@@ -34,8 +35,11 @@ class EveryExample(RunTest):
               "casing_flange": dict(n_side=2, n_middle=2, n_seat=2, n_bearing=2, n_wall=2, n_height=3, n_ring=4, n_shank=2,
                                     n_nut=1, n_heel=2, n_land=1),
               "blade_root": dict(n_blade=2, n_disc=2, n_blade_flank=3, n_disc_flank=2, n_width=1),
-              "bladed_disc": dict(size=16, n_width=4), "ball_on_block": dict(h=0.6), "viscoelastic_indenter": dict(n_block=18, n_depth=10),
-              "valve_seat_cycles": dict(size=2)}
+              "bladed_disc": dict(size=24, n_width=2, n_shroud=2), "ball_on_block": dict(h=0.8),
+              "press_fit_torque": dict(around_shaft=12, around_hub=8, n_length=2, n_hub=2),
+              "shrink_fit_cycles": dict(n_shaft=2, n_hub=3), "shrink_fit_section": dict(h=30, h_fit=12),
+              "steam_pipe": dict(n_wall=4, n_length=4), "viscoelastic_indenter": dict(n_block=18, n_depth=10),
+              "valve_seat_cycles": dict(size=3)}
     UNTIL_RUPTURE = ("omega_pipe",)
 
     def test_ends_with_the_default_integrator_at_any_tolerance(self):
@@ -46,7 +50,7 @@ class EveryExample(RunTest):
                     options += [f"mesh.parameters.{key}={value}" for key, value in self.COARSE.get(config.stem, {}).items()]
                     done = subprocess.run([PROGRAM, "run", str(config), "--output", str(self.output)] +
                                           [part for option in options for part in ("--set", option)],
-                                          cwd=self.directory, capture_output=True, text=True, timeout=200)
+                                          cwd=self.directory, capture_output=True, text=True, timeout=LONGEST)
                     self.assertEqual(done.returncode, 0, done.stderr)
                     self.assertNotIn("warning: time integration ", done.stderr)  # nothing failed
                     summary = self.summary()
@@ -118,7 +122,7 @@ class PressFitTorque(ExampleTest):
         options += [f"mesh.parameters.{key}={value}" for key, value in self.COARSE.items()]
         done = subprocess.run([PROGRAM, "run", str(CONFIGS / "press_fit_torque.toml"), "--output", str(self.output)] +
                               [part for option in options for part in ("--set", option)],
-                              cwd=self.directory, capture_output=True, text=True, timeout=100)
+                              cwd=self.directory, capture_output=True, text=True, timeout=LONGEST)
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertSays(done.stderr, "body 'hub'", "rotation", "(0, 0, 1)", "t = ", "friction")
         limit = 0.05 * self.table("history.csv")[0]["pressure"] * 2 * math.pi * 50**2 * 40

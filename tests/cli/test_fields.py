@@ -7,6 +7,7 @@ import unittest
 from box_mesh import CELLS, BoxMesh
 from test_runs import PROGRAM, RunTest
 from vtk_fields import Grid, collection, jacobians
+from waiting import LONGEST
 
 SYMMETRY = "".join(f'[[supports]]\non = "{{0}}_{axis}0"\ndisplacement = {{{{ {axis} = 0 }}}}\n' for axis in "xyz")
 ONE_BODY = """
@@ -46,7 +47,7 @@ class FieldTest(RunTest):
         mesh.write(self.directory / "mesh.msh")
         (self.directory / "case.toml").write_text(config)
         done = subprocess.run([PROGRAM, "run", "case.toml", "--output", str(self.output), "--quiet"],
-                              cwd=self.directory, capture_output=True, text=True, timeout=100)
+                              cwd=self.directory, capture_output=True, text=True, timeout=LONGEST)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.history = self.table("history.csv")
 

@@ -10,6 +10,7 @@ import tomllib
 import unittest
 
 from says import Says, first_missing
+from waiting import LONGEST
 
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 CONFIGS = pathlib.Path(__file__).parents[2] / "configs"
@@ -50,7 +51,7 @@ class Fit(Says, unittest.TestCase):
             path = self.directory / "data.csv"
             path.write_text(data, encoding="utf-8")
             data = path
-        return subprocess.run([PROGRAM, "fit", str(data), *arguments], capture_output=True, text=True, timeout=100,
+        return subprocess.run([PROGRAM, "fit", str(data), *arguments], capture_output=True, text=True, timeout=LONGEST,
                               cwd=self.directory)
 
     def refused(self, data, *arguments):
@@ -120,13 +121,13 @@ class Fit(Says, unittest.TestCase):
         (self.directory / "block.geo").write_text(GEO, encoding="utf-8")
         block = (self.directory / "steel.toml").read_text(encoding="utf-8")
         (self.directory / "run.toml").write_text(RUN + block, encoding="utf-8")
-        run = subprocess.run([PROGRAM, "run", "run.toml", "-o", "out"], capture_output=True, text=True, timeout=100,
+        run = subprocess.run([PROGRAM, "run", "run.toml", "-o", "out"], capture_output=True, text=True, timeout=LONGEST,
                              cwd=self.directory)
         self.assertEqual(run.returncode, 0, run.stderr)
         warnings = json.loads((self.directory / "out/summary.json").read_text(encoding="utf-8"))["warnings"]
         self.assertEqual(len([w for w in warnings if "stress_range" in w and "(50 .. 150)" in w]), 1)
         (self.directory / "run.toml").write_text((RUN + block).replace("end = 1e-3", "end = 1e4"), encoding="utf-8")
-        check = subprocess.run([PROGRAM, "check", "run.toml"], capture_output=True, text=True, timeout=100,
+        check = subprocess.run([PROGRAM, "check", "run.toml"], capture_output=True, text=True, timeout=LONGEST,
                                cwd=self.directory)
         self.assertSays(check.stdout + check.stderr, "t = 10000", "10 times", "time_range", "(10 .. 1000)")
 
@@ -182,7 +183,7 @@ class Fit(Says, unittest.TestCase):
             (self.directory / "run.toml").write_text(
                 (RUN + block).replace("[time]", f"[temperature]\nvalue = {temperature}\n[time]"), encoding="utf-8")
             run = subprocess.run([PROGRAM, "run", "run.toml", "-o", f"out{temperature}"], capture_output=True, text=True,
-                                 timeout=100, cwd=self.directory)
+                                 timeout=LONGEST, cwd=self.directory)
             self.assertEqual(run.returncode, 0, run.stderr)
             warnings = [line for line in run.stderr.splitlines()
                         if first_missing(line, (f" {temperature},", "temperature_range", "(500 .. 550)")) is None]

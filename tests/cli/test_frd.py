@@ -10,6 +10,7 @@ import unittest
 
 from process_case import PROGRAM
 from test_runs import RunTest
+from waiting import LONGEST
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DECK = ROOT / "docs" / "tutorial_deck" / "press_fit.inp"
@@ -34,9 +35,9 @@ def fields(text):
 class Frd(RunTest):
     def run_deck(self, *options):
         subprocess.run([PROGRAM, "import", str(DECK), "--output", "imported"], cwd=self.directory, check=True,
-                       capture_output=True, timeout=50)
+                       capture_output=True, timeout=LONGEST)
         done = subprocess.run([PROGRAM, "run", "imported/press_fit.toml", "--output", str(self.output), "--set", "output.frd=true",
-                               *options], cwd=self.directory, capture_output=True, text=True, timeout=100)
+                               *options], cwd=self.directory, capture_output=True, text=True, timeout=LONGEST)
         self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_numbers_of_the_deck_and_values_of_the_probes(self):
@@ -68,7 +69,7 @@ class Frd(RunTest):
         self.run_deck()
         (self.output / "probe.fbd").write_text("read fields.frd\nseta probe n 11\ngraph probe time DISP D1\ngraph probe time CONTACT CPRESS\nexit\n")
         environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
-        subprocess.run(["cgx", "-bg", "probe.fbd"], cwd=self.output, env=environment, capture_output=True, timeout=60, check=True)
+        subprocess.run(["cgx", "-bg", "probe.fbd"], cwd=self.output, env=environment, capture_output=True, timeout=LONGEST, check=True)
         rows = [[float(field) for field in line.split()[2:5:2]] for line in (self.output / "graph_0.out").read_text().splitlines()]
         for (time, value), row in zip(rows, self.table("history.csv"), strict=True):
             self.assertAlmostEqual(time, row["time"])
@@ -81,7 +82,7 @@ class Frd(RunTest):
 class CalculixStudy(unittest.TestCase):
     def test_both_programs_agree_and_one_costs_less(self):
         done = subprocess.run([sys.executable, "-B", str(ROOT / "studies/calculix/compare.py"), "--coarse", "--program", str(PROGRAM),
-                               str(ROOT / "configs/imported/shrink_fit.inp"), "1001", "x"], capture_output=True, text=True, timeout=200)
+                               str(ROOT / "configs/imported/shrink_fit.inp"), "1001", "x"], capture_output=True, text=True, timeout=LONGEST)
         self.assertEqual(done.returncode, 0, done.stderr)
         rows = re.findall(r"(?m)^\| (\S+) \| (\d+) \| (\S+) \| (\S+) \|$", done.stdout)
         theirs, ours = rows[:3], rows[3:]

@@ -11,6 +11,7 @@ import unittest
 
 from process_case import PROGRAM
 from test_runs import RunTest
+from waiting import LONGEST
 
 EXAMPLES = pathlib.Path("/usr/share/doc/calculix-ccx-test/examples/test")
 
@@ -54,7 +55,7 @@ class ImportTest(RunTest):
         deck = self.directory / f"{name}.inp"
         deck.write_text(text)
         done = subprocess.run([PROGRAM, "import", str(deck), "--output", str(self.directory / "imported")],
-                              capture_output=True, text=True, timeout=50)
+                              capture_output=True, text=True, timeout=LONGEST)
         self.assertEqual(done.returncode, status, done.stderr)
         return done
 
@@ -64,7 +65,7 @@ class ImportTest(RunTest):
         if probes:
             path.write_text(text[:(text + "\n[[probes]]").index("\n[[probes]]") + 1] + probes)
         done = subprocess.run([PROGRAM, "run", str(path), "--output", str(self.output)], cwd=self.directory,
-                              capture_output=True, text=True, timeout=100)
+                              capture_output=True, text=True, timeout=LONGEST)
         self.assertEqual(done.returncode, 0, done.stderr)
         return self.table("history.csv")
 
@@ -263,7 +264,7 @@ class Import(ImportTest):
         # Resumed after the begin of the support, it knows what was reached then.
         for options in (["--set", "time.end=15", "--set", "time.output=[15]"], ["--resume"]):
             subprocess.run([PROGRAM, "run", "imported/held.toml", "--output", "resumed", *options], cwd=self.directory, check=True,
-                           capture_output=True, timeout=50)
+                           capture_output=True, timeout=LONGEST)
         resumed = (self.directory / "resumed/history.csv").read_text().splitlines()[-1].split(",")
         whole = (self.output / "history.csv").read_text().splitlines()[-1].split(",")
         for a, b in zip(resumed, whole, strict=True):
@@ -274,7 +275,7 @@ class Import(ImportTest):
                                               "*STEP\n*STATIC\n*BOUNDARY, OP=NEW\nx0, 1\ny0, 2\n*END STEP\n")
         self.import_deck("flies", deck)
         done = subprocess.run([PROGRAM, "run", str(self.directory / "imported/flies.toml"), "--output", str(self.output)],
-                              capture_output=True, text=True, timeout=50)
+                              capture_output=True, text=True, timeout=LONGEST)
         self.assertEqual(done.returncode, 3)
         self.assertSays(done.stderr, "body 'Cube'", "translation along z", "t = 2")
 
@@ -381,7 +382,7 @@ class Import(ImportTest):
         self.assertSays(self.import_missing().stderr, ".inp", "No such file")
 
     def import_missing(self):
-        return subprocess.run([PROGRAM, "import", "none.inp"], capture_output=True, text=True, timeout=50)
+        return subprocess.run([PROGRAM, "import", "none.inp"], capture_output=True, text=True, timeout=LONGEST)
 
     def test_memory_is_less_than_three_times_the_mesh(self):
         n = 60
@@ -458,13 +459,13 @@ class ImportOfCalculix(ImportTest):
             name = path.name.split(".inp")[0]
             (self.directory / f"{name}.inp").write_text(deck_text(name))
             done = subprocess.run([PROGRAM, "import", f"{name}.inp", "--output", "all"], cwd=self.directory,
-                                  capture_output=True, text=True, timeout=20)
+                                  capture_output=True, text=True, timeout=LONGEST)
             self.assertIn(done.returncode, (0, 2), f"{name}: {done.stderr}")
             self.assertEqual(done.returncode == 2, done.stderr.startswith("error: "), name)
             statuses[done.returncode] += 1
             if done.returncode == 0:
                 check = subprocess.run([PROGRAM, "check", f"all/{name}.toml"], cwd=self.directory, capture_output=True,
-                                       text=True, timeout=20)
+                                       text=True, timeout=LONGEST)
                 self.assertEqual(check.returncode, 0, f"{name}: {check.stderr}")
         self.assertEqual(statuses, {0: 85, 2: 270})
 

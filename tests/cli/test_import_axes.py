@@ -6,6 +6,7 @@ import subprocess
 import unittest
 
 from test_import import CUBE, ImportTest
+from waiting import LONGEST
 
 CRYSTAL = """*ELASTIC, TYPE=ENGINEERING CONSTANTS
 2e5, 1.5e5, 1.2e5, 0.25, 0.35, 0.3, 4e4, 6e4
@@ -122,7 +123,7 @@ class SideBySideWithCalculix(ImportTest):
                 probes = "".join(f'[[probes]]\nname = "{c}{number}"\nquantity = "displacement_{c}"\nat = [{x}, {y}, {z}]\n'
                                  for number, x, y, z in (line.split(",") for line in nodes[::7]) for c in "xyz")
                 row = self.run_imported(name, probes)[-1]
-                subprocess.run(["ccx", "-i", name], cwd=self.directory, capture_output=True, timeout=100, check=True)
+                subprocess.run(["ccx", "-i", name], cwd=self.directory, capture_output=True, timeout=LONGEST, check=True)
                 theirs = {}
                 for line in (self.directory / f"{name}.dat").read_text().splitlines():
                     fields = line.split()

@@ -6,6 +6,7 @@ import unittest
 
 from process_case import PROGRAM
 from test_import import CUBE, ImportTest
+from waiting import LONGEST
 
 
 class ImportOfCards(ImportTest):
@@ -123,7 +124,7 @@ class ImportOfCards(ImportTest):
             self.assertSays(done.stderr, fact, "--no-check")
             self.assertFalse((self.directory / "imported").exists())
         self.assertIn("(made of " + str(self.directory / "soft.inp") + ":22", self.import_deck("soft", CUBE.replace("1e5, 0.", "-1e5, 0.") + step, 2).stderr)
-        done = subprocess.run([PROGRAM, "import", "loose.inp", "--no-check"], cwd=self.directory, capture_output=True, text=True, timeout=50)
+        done = subprocess.run([PROGRAM, "import", "loose.inp", "--no-check"], cwd=self.directory, capture_output=True, text=True, timeout=LONGEST)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("not checked", done.stdout)
         self.assertTrue((self.directory / "loose.toml").exists())
@@ -133,7 +134,7 @@ class ImportOfCards(ImportTest):
         deck = CUBE.replace("Steel", "St\xe4hl \\").replace("ELSET=Cube", "ELSET=W\xfcrfel").replace("\nCube", "\nW\xfcrfel")
         path = self.directory / "latin.inp"
         path.write_bytes((deck + "*STEP\n*STATIC\n*DLOAD\nW\xfcrfel, P2, -100.\n*NODE PRINT, NSET=Nall\nU\n*END STEP\n").encode("latin-1"))
-        done = subprocess.run([PROGRAM, "import", str(path), "--output", str(self.directory / "imported")], capture_output=True, text=True, timeout=50)
+        done = subprocess.run([PROGRAM, "import", str(path), "--output", str(self.directory / "imported")], capture_output=True, text=True, timeout=LONGEST)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("[bodies.\"W\xfcrfel\"]", (self.directory / "imported/latin.toml").read_text())
         self.expect_close(self.run_imported("latin")[-1]["uz_node_7"], 0.001, 1e-8)

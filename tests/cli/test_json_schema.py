@@ -10,6 +10,8 @@ import unittest
 
 import jsonschema
 
+from waiting import LONGEST
+
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CONFIGS = sorted([*ROOT.glob("configs/*.toml"), *ROOT.glob("docs/tutorial*/*.toml")])
@@ -17,7 +19,7 @@ STUDIES = sorted(ROOT.glob("studies/*/*.toml"))
 
 
 def call(*arguments):
-    return subprocess.run([PROGRAM, "list", *arguments], capture_output=True, text=True, timeout=50)
+    return subprocess.run([PROGRAM, "list", *arguments], capture_output=True, text=True, timeout=LONGEST)
 
 
 def schema(what):

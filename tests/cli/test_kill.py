@@ -11,6 +11,8 @@ import tempfile
 import time
 import unittest
 
+from waiting import LONGEST, wait_until
+
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 
 GEOMETRY = """SetFactory("OpenCASCADE");
@@ -98,7 +100,7 @@ class KillTest(unittest.TestCase):
                                 stderr=subprocess.PIPE, text=True)
 
     def end(self, process):
-        errors = process.communicate(timeout=50)[1]
+        errors = process.communicate(timeout=LONGEST)[1]
         self.assertEqual(process.returncode, 0, errors)
 
     def resume_option(self, output):
@@ -193,15 +195,14 @@ class Damage(KillTest):
         self.output = self.directory / "parts"
         process = self.start("parts", self.settings)
         steps = self.output / "steps.csv"
-        while not steps.exists() or steps.read_text().count("\n") < 60:
-            time.sleep(0.005)
+        wait_until(lambda: steps.exists() and steps.read_text().count("\n") >= 60, "60 steps", pause=0.005)
         process.send_signal(signal.SIGKILL)
         process.communicate()
         self.files = [self.output / "checkpoint.h5", self.output / "checkpoint.previous.h5"]
 
     def resume(self):
         process = self.start("parts", self.settings, "--resume")
-        errors = process.communicate(timeout=50)[1]
+        errors = process.communicate(timeout=LONGEST)[1]
         return process.returncode, errors
 
     def resume_and_compare(self, warning):

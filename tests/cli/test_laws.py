@@ -8,6 +8,7 @@ import tempfile
 import unittest
 
 from says import Says
+from waiting import LONGEST
 
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 
@@ -30,7 +31,7 @@ class LawErrors(Says, unittest.TestCase):
         with tempfile.TemporaryDirectory() as directory:
             config = pathlib.Path(directory) / "block.toml"
             config.write_text(CONFIG + text, encoding="utf-8")
-            done = subprocess.run([PROGRAM, "check", str(config)], capture_output=True, text=True, timeout=50)
+            done = subprocess.run([PROGRAM, "check", str(config)], capture_output=True, text=True, timeout=LONGEST)
         lines = [line for line in done.stderr.splitlines() if "materials.steel" in line]
         if lines:
             self.assertEqual(done.returncode, 2, done.stderr)
@@ -157,7 +158,7 @@ class LawRuns(Says, unittest.TestCase):
         text += "[output]\ndirectory = \"out\"\n" + PULLED + keys
         (self.directory / "block.toml").write_text(text, encoding="utf-8")
         return subprocess.run([PROGRAM, "run", "block.toml", *options], cwd=self.directory, capture_output=True,
-                              text=True, timeout=50)
+                              text=True, timeout=LONGEST)
 
     def creep(self, law, keys):
         return f'\n[[materials.steel.creep]]\nlaw = "{law}"\n{keys}\n'

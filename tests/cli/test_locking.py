@@ -10,6 +10,7 @@ import tempfile
 import unittest
 
 from box_mesh import BoxMesh
+from waiting import LONGEST
 
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 ANGLE = math.radians(10)
@@ -77,7 +78,7 @@ class Locking(unittest.TestCase):
             mesh.write(place / "cylinder.msh")
             (place / "case.toml").write_text(CONFIG)
             done = subprocess.run([PROGRAM, "run", "case.toml", "--output", "out", "--quiet"], cwd=place,
-                                  capture_output=True, text=True, timeout=100)
+                                  capture_output=True, text=True, timeout=LONGEST)
             self.assertEqual(done.returncode, 0, done.stderr)
             with open(place / "out" / "history.csv", newline="", encoding="utf-8") as file:
                 return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]

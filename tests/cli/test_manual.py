@@ -7,12 +7,14 @@ import shutil
 import subprocess
 import unittest
 
+from waiting import LONGEST
+
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs/creepcontact.1"
 
 
 def help_of(*arguments):
-    return subprocess.run([PROGRAM, *arguments, "--help"], capture_output=True, text=True, timeout=50).stdout
+    return subprocess.run([PROGRAM, *arguments, "--help"], capture_output=True, text=True, timeout=LONGEST).stdout
 
 
 def plain(roff):
@@ -68,13 +70,13 @@ class Manual(unittest.TestCase):
         self.assertEqual(re.findall(r"(?m)^\.TP\n\.B (\d+)$", self.sections["EXIT STATUS"]), ["0", "2", "3", "4", "130"])
 
     def test_version(self):
-        version = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, timeout=50).stdout.strip()
+        version = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, timeout=LONGEST).stdout.strip()
         self.assertTrue(self.roff.startswith(f'.TH CREEPCONTACT 1 "" "{version}" '), version)
 
     def test_formats_without_complaint(self):
         if shutil.which("groff") is None:
             self.skipTest("groff is not installed (Debian package groff-base)")
-        done = subprocess.run(["groff", "-ww", "-man", "-Tutf8", str(PAGE)], capture_output=True, text=True, timeout=50)
+        done = subprocess.run(["groff", "-ww", "-man", "-Tutf8", str(PAGE)], capture_output=True, text=True, timeout=LONGEST)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("CREEPCONTACT(1)", done.stdout)
 

@@ -6,6 +6,7 @@ import subprocess
 import unittest
 
 from test_runs import PROGRAM, RunTest
+from waiting import LONGEST
 
 CONFIGS = pathlib.Path(__file__).resolve().parents[2] / "configs"
 
@@ -14,7 +15,7 @@ class MaterialExampleTest(RunTest):
     def rows(self, name, settings):
         options = [part for key, value in settings.items() for part in ("--set", f"{key}={value}")]
         done = subprocess.run([PROGRAM, "run", str(CONFIGS / name), "--output", str(self.output), *options,
-                               "--set", "output.fields=false"], cwd=self.directory, capture_output=True, text=True, timeout=100)
+                               "--set", "output.fields=false"], cwd=self.directory, capture_output=True, text=True, timeout=LONGEST)
         self.assertEqual(done.returncode, 0, done.stderr)
         return self.table("history.csv")
 
@@ -215,13 +216,17 @@ class StartStopCycles(MaterialExampleTest):
 
 
 class ShrinkFitCycles(MaterialExampleTest):
-    def test_jumps_over_weeks_give_what_a_thousand_weeks_give(self):
+    WEEKS = 300
+
+    def test_jumps_over_weeks_give_what_all_weeks_give(self):
         found = {}
         for jumps in ("true", "false"):
-            rows = self.rows("shrink_fit_cycles.toml", {"time.jump_cycles": jumps, "time.tolerance": "1e-3"})
+            rows = self.rows("shrink_fit_cycles.toml", {"time.jump_cycles": jumps, "time.tolerance": "1e-3",
+                                                        "time.end": str(168 * self.WEEKS), "time.output": "[168, 1680, 16800]",
+                                                        "mesh.parameters.n_shaft": "2", "mesh.parameters.n_hub": "3"})
             found[jumps] = self.summary(), {row["time"]: row for row in rows}, self.table("cycles.csv")
         (jumped, some, few), (whole, each, all_weeks) = found["true"], found["false"]
-        self.assertEqual((jumped["cycles"]["completed"], whole["cycles"]["computed"], len(all_weeks)), (1000, 1000, 1000))
+        self.assertEqual((jumped["cycles"]["completed"], whole["cycles"]["computed"], len(all_weeks)), 3 * (self.WEEKS,))
         self.assertLess(10 * jumped["elastic_solves"], whole["elastic_solves"])
         for time, row in each.items():
             for probe in ("fit_pressure", "hub_hoop_stress", "usage"):

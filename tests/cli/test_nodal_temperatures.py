@@ -9,6 +9,7 @@ import tempfile
 import unittest
 
 from study_case import PROGRAM
+from waiting import LONGEST
 
 ALPHA, LENGTH, N = 1e-5, 8.0, 4
 
@@ -65,7 +66,7 @@ class NodalTemperatures(unittest.TestCase):
         self.directory = pathlib.Path(scratch.name)
 
     def call(self, *arguments):
-        done = subprocess.run([PROGRAM, *arguments], cwd=self.directory, capture_output=True, text=True, timeout=120,
+        done = subprocess.run([PROGRAM, *arguments], cwd=self.directory, capture_output=True, text=True, timeout=LONGEST,
                               env={**os.environ, "OMP_NUM_THREADS": "1"})
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return done.stdout + done.stderr

@@ -4,6 +4,7 @@ import os
 import unittest
 
 from process_case import ProcessTest
+from waiting import LONGEST
 
 FULL = "error: ", "standard output", "No space left on device"
 
@@ -25,7 +26,7 @@ class StandardOutput(ProcessTest):
         os.close(writer)
         os.read(reader, 10)
         os.close(reader)
-        errors = process.communicate(timeout=50)[1]
+        errors = process.communicate(timeout=LONGEST)[1]
         self.assertEqual((process.returncode, errors), (0, ""))
 
     def test_a_full_disk_is_an_error(self):

@@ -9,6 +9,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 from box_mesh import BoxMesh
 from test_fields import ONE_BODY, FieldTest
+from waiting import LONGEST
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "docs" / "paraview" / "deformed.py"
 SMALL = ("--size", "320", "240")
@@ -26,7 +27,7 @@ class Picture(FieldTest):
 
     def draw(self, *options, status=0):
         done = subprocess.run(["xvfb-run", "-a", sys.executable, "-B", str(SCRIPT), str(self.output), *options],
-                              capture_output=True, text=True, timeout=100)
+                              capture_output=True, text=True, timeout=LONGEST)
         self.assertEqual(done.returncode, status, done.stderr)
         return done.stdout if status == 0 else done.stderr
 

@@ -6,6 +6,7 @@ import unittest
 
 from process_case import ProcessTest
 from study_case import BASE
+from waiting import LONGEST
 
 LONG = "n" * 300
 LOOP, TOO_LONG = "Too many levels of symbolic links", "File name too long"
@@ -53,7 +54,7 @@ class Paths(ProcessTest):
 
     def test_a_missing_directory_for_temporary_files(self):
         done = subprocess.run([os.environ["CREEPCONTACT_PROGRAM"], "check", "cube.toml"], cwd=self.directory, text=True,
-                              capture_output=True, timeout=50, env={**os.environ, "TMPDIR": "/nonexistent"})
+                              capture_output=True, timeout=LONGEST, env={**os.environ, "TMPDIR": "/nonexistent"})
         if done.returncode != 0:  # a program that needs none may do without
             self.assertIn(done.returncode, (2, 3))
             self.assertIn("'/nonexistent' (TMPDIR)", done.stderr)

@@ -7,11 +7,12 @@ import unittest
 import xml.etree.ElementTree
 
 from test_runs import PROGRAM, RunTest
+from waiting import LONGEST
 
 
 class Plot(RunTest):
     def plot(self, *more, **environment):
-        return subprocess.run([PROGRAM, "plot", *more], cwd=self.directory, capture_output=True, text=True, timeout=50,
+        return subprocess.run([PROGRAM, "plot", *more], cwd=self.directory, capture_output=True, text=True, timeout=LONGEST,
                               env={**os.environ, **environment})
 
     def texts(self, picture):

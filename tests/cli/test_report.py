@@ -10,14 +10,17 @@ import struct
 import subprocess
 
 from test_runs import PROGRAM, RunTest
+from waiting import LONGEST
 
 VIEWER = pathlib.Path(PROGRAM).resolve().parents[1] / "viewer"
 
 
 class ReportTest(RunTest):
     def program(self, *words, **environment):
-        return subprocess.run([PROGRAM, *words], cwd=self.directory, capture_output=True, text=True, timeout=100,
+        return subprocess.run([PROGRAM, *words], cwd=self.directory, capture_output=True, text=True, timeout=LONGEST,
                               env={**os.environ, **environment})
+
+    WITHOUT_PICTURES = {"PATH": "/nonexistent", "DISPLAY": ""}  # nor plots: their programs are not found
 
     def report(self, *words, **environment):
         done = self.program("report", *words, **environment)
@@ -49,14 +52,14 @@ class Report(ReportTest):
         self.assertLess(summary["accuracy"]["equilibrium_residual"], 1e-9)
 
         # elsewhere, and what is missing on the machine is said in the page too
-        out = self.report("out", "--output", "a/b.html", PATH="/nonexistent", DISPLAY="")
+        out = self.report("out", "--output", "a/b.html", **self.WITHOUT_PICTURES)
         self.assertLineSays(out, "note: ", "plots", "gnuplot")
         self.assertIn("apt-get install gnuplot-nox", self.text_of((self.directory / "a" / "b.html").read_text()))
 
     def test_several_runs(self):
         self.run_short("--quiet")
         shutil.copytree(self.output, self.directory / "other")
-        self.report("out", "other", "--output", "both.html")
+        self.report("out", "other", "--output", "both.html", **self.WITHOUT_PICTURES)
         text = self.text_of((self.directory / "both.html").read_text())
         self.assertIn("Comparison of 2 runs", text)
         self.assertIn("normal force of fit, end", text)
@@ -66,24 +69,24 @@ class Report(ReportTest):
         summary = self.output / "summary.json"
         whole = json.loads(summary.read_text())
         summary.write_text(json.dumps({**whole, "status": "interrupted", "time_reached": 1.0}))
-        self.report("out")
+        self.report("out", **self.WITHOUT_PICTURES)
         self.assertIn("The run was interrupted at t = 1 h", self.text_of((self.output / "report.html").read_text()))
         summary.write_text(json.dumps({**whole, "status": "failed", "message": "no step could be made"}))
-        self.report("out")
+        self.report("out", **self.WITHOUT_PICTURES)
         self.assertIn("failed at t = 10 h: no step could be made", self.text_of((self.output / "report.html").read_text()))
         # an earlier version: no model.json, no entries of later versions
         (self.output / "model.json").unlink()
         for name in ("accuracy", "warnings"):
             whole.pop(name, None)
         summary.write_text(json.dumps(whole))
-        self.assertLineSays(self.report("out"), "note: ", "model.json")
+        self.assertLineSays(self.report("out", **self.WITHOUT_PICTURES), "note: ", "model.json")
         page = (self.output / "report.html").read_text()
         self.assertIn('"name":"von_mises"', page)
         self.assertIn("Runs of this version do not record what they warned of.", self.text_of(page))
         summary.unlink()
-        self.assertLineSays(self.report("out"), "note: ", "summary.json")
+        self.assertLineSays(self.report("out", **self.WITHOUT_PICTURES), "note: ", "summary.json")
         shutil.rmtree(self.output / "fields")
-        self.assertLineSays(self.report("out"), "note: ", "fields")
+        self.assertLineSays(self.report("out", **self.WITHOUT_PICTURES), "note: ", "fields")
 
     def test_what_is_no_run(self):
         for words, facts in ((("nowhere",), ("directory 'nowhere'",)), ((".",), ("'.'", "output directory")),
@@ -104,7 +107,7 @@ class Report(ReportTest):
     def test_warnings_are_kept(self):
         self.run_short("--quiet", "--set", "time.integrator=explicit_euler", "--set", "time.step=1e9")
         warnings = self.summary().get("warnings", [])
-        self.report("out")
+        self.report("out", **self.WITHOUT_PICTURES)
         text = self.text_of((self.output / "report.html").read_text())
         self.assertTrue(warnings)
         for warning in warnings:
@@ -116,7 +119,7 @@ class ReportInBrowser(ReportTest):
 
     def check(self, page):
         done = subprocess.run(["node", VIEWER / "test" / "check_report.mjs", page, "--expect-viewer"], capture_output=True,
-                              text=True, timeout=280)
+                              text=True, timeout=LONGEST)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_solid(self):

@@ -7,10 +7,10 @@ import pathlib
 import signal
 import subprocess
 import tempfile
-import time
 import unittest
 
 from says import Says
+from waiting import LONGEST, wait_until
 
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 SHRINK_FIT = str(pathlib.Path(__file__).resolve().parents[2] / "configs" / "shrink_fit.toml")
@@ -34,7 +34,7 @@ class RunTest(Says, unittest.TestCase):
 
     def call(self, command, *more):
         return subprocess.run(arguments(command, *more), cwd=self.directory, capture_output=True, text=True,
-                              timeout=50)
+                              timeout=LONGEST)
 
     def run_short(self, *more):
         done = self.call("run", "--output", str(self.output), *SHORT, *more)
@@ -215,7 +215,7 @@ class Interruption(RunTest):
                                         "time.step=0.001"), stderr=subprocess.PIPE, text=True) as process:
             self.wait_for_steps(process, 5)
             process.send_signal(signal.SIGINT)
-            errors = process.communicate(timeout=30)[1]
+            errors = process.communicate(timeout=LONGEST)[1]
         self.assertEqual(process.returncode, 130, errors)
         self.assertIn("--resume", errors)
         summary = self.summary()
@@ -233,13 +233,10 @@ class Interruption(RunTest):
         self.assertEqual(self.summary()["status"], "completed")
 
     def wait_for_steps(self, process, count):
-        deadline = time.monotonic() + 30
-        while time.monotonic() < deadline and process.poll() is None:
-            steps = self.output / "steps.csv"
-            if steps.exists() and steps.read_text().count("\n") > count:
-                return
-            time.sleep(0.02)
-        self.fail("the run made no steps")
+        steps = self.output / "steps.csv"
+        wait_until(lambda: process.poll() is not None or (steps.exists() and steps.read_text().count("\n") > count),
+                   f"{count} steps")
+        self.assertIsNone(process.poll(), "the run has ended")
 
     def test_resume_without_a_checkpoint(self):
         done = self.call("run", "--output", str(self.output), "--resume", "--quiet")

@@ -4,19 +4,19 @@ within a contact problem that takes minutes it gives that up and saves what ther
 import csv
 import json
 import signal
-import time
 import unittest
 
 from box_mesh import BoxMesh
 from process_case import ProcessTest
 from study_case import BASE
+from waiting import LONGEST, wait_until
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 class SignalStages(ProcessTest):
     def expect_interrupted(self, process, number):
-        errors = process.communicate(timeout=50)[1]
+        errors = process.communicate(timeout=LONGEST)[1]
         self.assertEqual(process.returncode, 130, errors)
         said = [line for line in errors.splitlines() if line.startswith("error: ")]
         self.assertEqual(len(said), 1, errors)
@@ -63,7 +63,7 @@ class SignalStages(ProcessTest):
         with open(self.pipe("pipe.toml"), "w") as pipe:
             process.send_signal(signal.SIGHUP)
             pipe.write(BASE)
-        self.assertEqual(process.communicate(timeout=50)[1], "")
+        self.assertEqual(process.communicate(timeout=LONGEST)[1], "")
         self.assertEqual((process.returncode, self.status()), (0, "completed"))
 
 
@@ -125,10 +125,10 @@ class SlowContact(ProcessTest):
         log = self.directory / "contact.csv"
         log.unlink(missing_ok=True)
         process = self.start("run", "slow.toml", "--output", "out", "--quiet", "--log-contact", str(log), *more)
-        while process.poll() is None and (not log.exists() or log.read_text().count("\n") < 100):
-            time.sleep(0.02)
+        wait_until(lambda: process.poll() is not None or (log.exists() and log.read_text().count("\n") >= 100),
+                   "100 sweeps")
         process.send_signal(number)
-        return process.returncode, process.communicate(timeout=50)[1], process.returncode
+        return process.returncode, process.communicate(timeout=LONGEST)[1], process.returncode
 
     def test_a_contact_problem_is_given_up_and_the_run_can_be_resumed(self):
         for number in SIGNALS:

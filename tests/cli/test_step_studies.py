@@ -60,7 +60,7 @@ class StepSizeStudy(unittest.TestCase):
         explicit, = select(self.rows, time__integrator="explicit_euler", time__step_factor="0.1")
         trapezoidal, = select(self.rows, time__beta="0.5", time__inner="", time__step_factor="0.1")
         auto = self.controlled("auto")
-        for integrator in ("auto", "cvode_bdf", "cvode_adams", "arkode_erk", "arkode_dirk", "rkc2"):
+        for integrator in ("auto", "cvode_bdf", "cvode_adams", "arkode_erk", "arkode_dirk"):
             self.assertLess(float(self.controlled(integrator)["error_fit_pressure"]), 1e-3, integrator)
         self.assertLess(20 * float(auto["error_fit_pressure"]), float(explicit["error_fit_pressure"]))
         self.assertLess(float(auto["error_fit_pressure"]), float(trapezoidal["error_fit_pressure"]))

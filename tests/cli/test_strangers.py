@@ -7,6 +7,7 @@ import tempfile
 import unittest
 
 from study_case import BASE, GEOMETRY, PROGRAM
+from waiting import LONGEST
 
 MODULES = ("json", "math", "os", "shutil", "subprocess", "types", "numpy", "vtkmodules", "vtk", "site", "sitecustomize",
            "usercustomize", "encodings", "re", "codecs")
@@ -25,7 +26,7 @@ class ResultsOfOthers(unittest.TestCase):
 
     @classmethod
     def call(cls, *arguments, cwd=None, **environment):
-        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd or cls.root, capture_output=True, text=True, timeout=300,
+        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd or cls.root, capture_output=True, text=True, timeout=LONGEST,
                               env={**os.environ, "OMP_NUM_THREADS": "1", **environment})
 
 
@@ -158,7 +159,7 @@ class Links(ResultsOfOthers):
 class SizeOfFiles(ResultsOfOthers):
     def limited(self, blocks, *arguments):
         return subprocess.run(["bash", "-c", f'ulimit -f {blocks}; exec "$@"', "bash", PROGRAM, *arguments], cwd=self.root,
-                              capture_output=True, text=True, timeout=120, env={**os.environ, "OMP_NUM_THREADS": "1"})
+                              capture_output=True, text=True, timeout=LONGEST, env={**os.environ, "OMP_NUM_THREADS": "1"})
 
     def test_a_limit_is_told_like_a_full_disk(self):
         for blocks in (0, 1, 2, 4, 8):

@@ -4,10 +4,10 @@ import json
 import shutil
 import signal
 import subprocess
-import time
 import unittest
 
 from study_case import BASE, COMPARE, PROGRAM, REFERENCE, STUDY, StudyTest
+from waiting import LONGEST, wait_until
 
 
 class StudyResume(StudyTest):
@@ -45,12 +45,9 @@ class StudyResume(StudyTest):
         process = subprocess.Popen([PROGRAM, "study", "study.toml", "--jobs", "2"], cwd=self.directory,
                                    stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
         steps = [self.output / "runs" / name / "steps.csv" for name in ("run_001", "run_002")]
-        give_up = time.monotonic() + 50
-        while not all(path.exists() and path.stat().st_size > 1000 for path in steps):
-            self.assertLess(time.monotonic(), give_up)
-            time.sleep(0.02)
+        wait_until(lambda: all(path.exists() and path.stat().st_size > 1000 for path in steps), "both runs make steps")
         process.send_signal(signal.SIGINT)
-        errors = process.communicate(timeout=50)[1]
+        errors = process.communicate(timeout=LONGEST)[1]
         self.assertEqual(process.returncode, 130, errors)
         self.assertIn("interrupted: 0 of 3 runs succeeded", errors)
         self.assertEqual([row["status"] for row in self.rows()], ["interrupted", "interrupted", "not started"])
@@ -64,12 +61,10 @@ class StudyResume(StudyTest):
         lengths = [path.stat().st_size for path in steps]
         process = subprocess.Popen([PROGRAM, "study", "study.toml", "--jobs", "2"], cwd=self.directory,
                                    stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
-        give_up = time.monotonic() + 50
-        while any(path.stat().st_size <= length + 1000 for path, length in zip(steps, lengths)):
-            self.assertLess(time.monotonic(), give_up)
-            time.sleep(0.02)
+        wait_until(lambda: all(path.stat().st_size > length + 1000 for path, length in zip(steps, lengths)),
+                   "both runs go on")
         process.send_signal(signal.SIGINT)
-        self.assertEqual(process.wait(timeout=50), 130)
+        self.assertEqual(process.wait(timeout=LONGEST), 130)
         self.assertTrue(sentinel.exists())
         self.assertGreater(json.loads((steps[0].parent / "summary.json").read_text())["time_reached"], reached)
 
@@ -81,11 +76,9 @@ class StudyResume(StudyTest):
             process = subprocess.Popen([PROGRAM, "study", "study.toml", "--jobs", "2"], cwd=self.directory,
                                        stderr=subprocess.PIPE, text=True)
             log = self.output / "runs" / "run_001" / "run.log"  # made just before its run
-            give_up = time.monotonic() + 50
-            while not log.exists():
-                self.assertLess(time.monotonic(), give_up)
+            wait_until(log.exists, "the first run begins", pause=0)
             process.send_signal(signal.SIGINT)
-            errors = process.communicate(timeout=50)[1]
+            errors = process.communicate(timeout=LONGEST)[1]
             self.assertEqual(process.returncode, 130, errors)
             self.assertIn("interrupted: 0 of 2 runs succeeded", errors)
             self.assertIn(self.rows()[0]["status"], ("interrupted", "not started"))
@@ -97,21 +90,17 @@ class StudyResume(StudyTest):
         self.write("study.toml", text)
         process = subprocess.Popen([PROGRAM, "study", "study.toml"], cwd=self.directory, stderr=subprocess.DEVNULL)
         steps = self.output / "runs" / "run_001" / "steps.csv"
-        give_up = time.monotonic() + 50
-        while not (steps.exists() and steps.stat().st_size > 1000):
-            self.assertLess(time.monotonic(), give_up)
-            time.sleep(0.02)
+        wait_until(lambda: steps.exists() and steps.stat().st_size > 1000, "the run makes steps")
         self.expect_error(self.study(text), 2, "another creepcontact")
         second = subprocess.run([PROGRAM, "run", "cube.toml", "--output", steps.parent], cwd=self.directory,
-                                capture_output=True, text=True, timeout=50)
+                                capture_output=True, text=True, timeout=LONGEST)
         self.assertEqual(second.returncode, 2)
         self.assertIn("another creepcontact", second.stderr)
         process.kill()
         process.wait()
         # Its run ends by itself, with a checkpoint.
-        while json.loads((steps.parent / "summary.json").read_text())["message"][:11] != "interrupted":
-            self.assertLess(time.monotonic(), give_up)
-            time.sleep(0.02)
+        summary = steps.parent / "summary.json"
+        wait_until(lambda: json.loads(summary.read_text())["message"].startswith("interrupted"), "the run ends")
 
     def test_a_lost_history_is_made_anew(self):
         self.assertEqual(self.study(self.finished).returncode, 0)

@@ -8,6 +8,8 @@ import subprocess
 import tempfile
 import unittest
 
+from waiting import LONGEST
+
 PROGRAM = pathlib.Path(os.environ["CREEPCONTACT_PROGRAM"])
 DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
 BLOCK = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -93,7 +95,7 @@ class Tutorial(unittest.TestCase):
     def run_command(self, command):
         environment = {**os.environ, "OMP_NUM_THREADS": "1", "PATH": f"{self.directory / 'bin'}:{os.environ['PATH']}"}
         return subprocess.run(["bash", "-c", command], cwd=self.directory / self.directory_name, env=environment, text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=200)
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=LONGEST)
 
     def test_commands_print_what_is_quoted(self):
         for name in ("bin", self.directory_name):

@@ -115,7 +115,7 @@ TEST(EventsInTime, AreSeenByEveryIntegrator) {
   const Event pulse{"(1 + exp(-((t - 611)/2)^2))", {600, 609, 611, 613, 622}};
   for (const Event& event : {window, pulse}) {
     const double exact = integral(event, [](double factor) { return A * std::pow(100 * factor, n); });
-    for (const char* integrator : {"log_adams", "cvode_bdf", "cvode_adams", "arkode_dirk", "arkode_erk", "rkc2"}) {
+    for (const char* integrator : {"log_adams", "cvode_bdf", "cvode_adams", "arkode_dirk", "arkode_erk"}) {
       const std::string keys = time_keys(fmt::format("integrator = \"{}\"\n", integrator));
       const std::string rate = creep_law_table("expression", fmt::format("rate = \"1e-14*q^4*{}^4\"", event.factor));
       EXPECT_RELATIVE(run_cube(rate, pulled("100"), keys).history.at("cxx", end), exact, 2e-3) << integrator;
@@ -128,7 +128,7 @@ TEST(EventsInTime, ErrorsOfManyRestartsDoNotAddUp) {
   const double exact = A * (std::pow(200, 5) - std::pow(100, 5)) / 500 * 200;
   const std::string triangles = pulled("{ t = [0, 0.5, 1], values = [100, 200, 100], period = 1 }");
   for (const auto& [integrator, tolerances] : std::vector<std::pair<std::string, double>>{
-           {"auto", 1}, {"cvode_bdf", 4.3}, {"rkc2", 6.6}, {"cvode_adams", 2}, {"arkode_dirk", 1}}) {
+           {"auto", 1}, {"cvode_bdf", 4.3}, {"cvode_adams", 2}, {"arkode_dirk", 1}}) {
     const Outcome outcome =
         run_cube(norton(), triangles,
                  fmt::format("end = 200\noutput = [200]\ntolerance = 1e-4\nintegrator = \"{}\"\n", integrator));

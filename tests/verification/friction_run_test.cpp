@@ -37,7 +37,7 @@ TEST(FrictionRuns, IntegratorsAgree) {
   EXPECT_GT(exact.history.at("slip", 2), 4 * exact.history.at("slip", 1));
   for (const char* time : {"integrator = \"auto\"\n", "integrator = \"cvode_adams\"\n", "integrator = \"cvode_bdf\"\n",
                            "integrator = \"cvode_bdf\"\nlinear_solver = \"tangent\"\n", "integrator = \"arkode_erk\"\n",
-                           "integrator = \"arkode_dirk\"\n", "integrator = \"rkc2\"\n",
+                           "integrator = \"arkode_dirk\"\n",
                            "integrator = \"beta_euler\"\nbeta = 0.5\nstep = \"adaptive\"\ninner = \"newton\"\n",
                            "integrator = \"beta_euler\"\nbeta = 0.5\nstep = 0.0625\n",
                            "integrator = \"beta_euler\"\nstep = \"adaptive\"\n",

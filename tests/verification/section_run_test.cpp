@@ -47,7 +47,7 @@ TEST_P(SectionRuns, IntegratorsAgree) {
   EXPECT_LT(exact.at("force", 10), 0.9 * exact.at("force", 0));
   for (const char* time : {"integrator = \"cvode_adams\"\n", "integrator = \"cvode_bdf\"\n",
                            "integrator = \"cvode_bdf\"\nlinear_solver = \"tangent\"\n", "integrator = \"arkode_erk\"\n",
-                           "integrator = \"arkode_dirk\"\n", "integrator = \"rkc2\"\n",
+                           "integrator = \"arkode_dirk\"\n",
                            "integrator = \"beta_euler\"\nbeta = 0.5\nstep = \"adaptive\"\ninner = \"newton\"\n"}) {
     const test::Table found = run(time);
     for (const double t : {1.0, 10.0})

@@ -1,6 +1,6 @@
 #pragma once
-/// Decompositions of small dense matrices. Eigen's templates are instantiated here once, to save compile time
-/// elsewhere.
+/// Decompositions of small dense matrices by LAPACK: no template of Eigen for them has to be compiled. Where a
+/// decomposition fails, as it may for entries that are not finite, its values are not numbers.
 ///
 /// Cost: cubic in the smaller dimension. Source: Golub and Van Loan, Matrix Computations (2013), chapters 5 and 8.
 
@@ -57,6 +57,13 @@ Eigen::VectorXi column_pivots(const Eigen::MatrixXd& matrix);
 
 /// Inverse of a square matrix, not finite if the matrix is singular (LU with partial pivoting).
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix);
+
+/// X of A X = B. @param matrix  symmetric positive definite
+Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
+Tensor6 solve_positive(const Matrix6& matrix, const Tensor6& right);
+/// Inverses of such tensors' maps without memory of their own; the first one of a positive definite map.
+Matrix6 inverse_of_positive(const Matrix6& matrix);
+Matrix6 inverse(const Matrix6& matrix);
 
 /// The X of smallest norm among the minimisers of |A X - B|.
 /// @param threshold  pivots below this fraction of the largest count as zero; 0: round-off

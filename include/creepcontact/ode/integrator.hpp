@@ -1,5 +1,5 @@
 #pragma once
-/// Time integrators behind one interface: Euler schemes (Stankevich 2012), Runge-Kutta-Chebyshev, and SUNDIALS.
+/// Time integrators behind one interface: Euler schemes (Stankevich 2012), LogAdams, and SUNDIALS.
 
 #include <cstdint>
 #include <memory>

@@ -14,6 +14,6 @@ double restart_share(const std::string& integrator, double restarts);
 
 /// Likewise for the rises and falls of loads that vibrate, through which steps go on without restarts. Not less than
 /// 1e-3: beyond, the errors of steps bounded to a part of the period cancel.
-double vibration_share(const std::string& integrator, double turns);
+double vibration_share(double turns);
 
 }  // namespace creepcontact::ode

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "creepcontact/creep/creep_system.hpp"
+#include "creepcontact/mechanics/element_rotation.hpp"
 
 namespace creepcontact::results {
 
@@ -14,7 +15,7 @@ namespace creepcontact::results {
 class SmallStrainMonitor {
  public:
   /// @param system  of the own part of the model; must outlive the object
-  explicit SmallStrainMonitor(const creep::CreepSystem& system) : system_(system) {}
+  explicit SmallStrainMonitor(const creep::CreepSystem& system);
 
   /// Cost: a pass through the points and the elements.
   void observe(double time, const creep::Evaluation& at);
@@ -40,6 +41,7 @@ class SmallStrainMonitor {
   std::string where(const Largest& largest) const;
 
   const creep::CreepSystem& system_;
+  std::vector<mechanics::ElementRotations> rotations_;  // per body
   Largest strain_, rotation_;
   static constexpr auto saved_members =
       std::tuple{Member{"strain", &SmallStrainMonitor::strain_}, Member{"rotation", &SmallStrainMonitor::rotation_}};

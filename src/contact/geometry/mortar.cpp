@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -14,6 +12,7 @@
 #include "continued_surface.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
+#include "creepcontact/linalg/dense.hpp"
 #include "node_glue.hpp"
 #include "row_directions.hpp"
 #include "row_gathering.hpp"
@@ -173,7 +172,8 @@ HatMatrix Assembler::dual_transformation(std::size_t f, const std::vector<Segmen
     }
   if (sums.integral.sum() < min_cover_of_dual_facet * facet.surface_area()) return HatMatrix::Identity(n, n);
   // psi = D M^-1 phi  =>  integral psi_i phi_j = delta_ij integral phi_j
-  return HatMatrix(sums.mass.ldlt().solve(HatMatrix(sums.integral.asDiagonal()))).transpose();
+  const Eigen::MatrixXd right = sums.integral.asDiagonal().toDenseMatrix();
+  return linalg::solve_positive(sums.mass, right).transpose();
 }
 
 /// Integral of hats times shape functions times directions over one segment.
@@ -212,7 +212,21 @@ class Products {
 Matrix3 rotation(const Vector3& from, const Vector3& to) {
   constexpr double direction_tolerance = 1e-12;
   if ((to - from).norm() < direction_tolerance) return Matrix3::Identity();
-  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+  // Not by Eigen's Quaternion, whose FromTwoVectors takes ten seconds to compile.
+  const double cosine = from.dot(to);
+  if (cosine < -1 + direction_tolerance) {  // opposite: half a turn about any normal
+    const Vector3 axis = from.unitOrthogonal();
+    return 2 * axis * axis.transpose() - Matrix3::Identity();
+  }
+  const Vector3 sine = from.cross(to), shared = sine / (1 + cosine);
+  Matrix3 result = shared * sine.transpose();
+  for (Index i = 0; i < 3; ++i) {
+    const Index j = (i + 1) % 3, k = (i + 2) % 3;
+    result(i, i) += cosine;
+    result(k, j) += sine[i];
+    result(j, k) -= sine[i];
+  }
+  return result;
 }
 
 void Assembler::add_facet(std::size_t f, const std::vector<Segment>& segments) {

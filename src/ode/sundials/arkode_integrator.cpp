@@ -11,13 +11,9 @@
 namespace creepcontact::ode {
 
 namespace {
-/// Hermite interpolation of ARKODE reaches the fifth degree.
-constexpr int most_accurate_interpolation = 6;
-
 const ButcherTable& table_of(bool implicit, const IntegratorOptions& options) {
-  if (implicit)
-    return find_table(diagonally_implicit_tables(), options.table.empty() ? "ark324l2sa_dirk_4_2_3" : options.table);
-  return find_table(explicit_tables(), options.table.empty() ? "bogacki_shampine_4_2_3" : options.table);
+  const std::vector<ButcherTable>& tables = implicit ? diagonally_implicit_tables() : explicit_tables();
+  return options.table.empty() ? tables.front() : find_table(tables, options.table);
 }
 /// Extrapolates from the last step, at lower order for the later stages: a quarter fewer evaluations than starting the
 /// stages from the old state, and more robust over long steps than extrapolating at full order.
@@ -103,10 +99,6 @@ int ArkodeIntegrator::set_smallest_step(double step) {
 
 int ArkodeIntegrator::evolve(double horizon, N_Vector y, double& t) {
   return ARKStepEvolve(memory_, horizon, y, &t, ARK_ONE_STEP);
-}
-
-bool ArkodeIntegrator::interpolates() const {
-  return order_ <= most_accurate_interpolation;
 }
 
 int ArkodeIntegrator::interpolate_into(double t, N_Vector y) const {

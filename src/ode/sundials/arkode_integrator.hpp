@@ -13,14 +13,13 @@ namespace creepcontact::ode {
 
 class ArkodeIntegrator final : public SundialsIntegrator {
  public:
-  /// Explicit, for times short against the relaxation; Bogacki-Shampine 3(2) if options.table names no other.
+  /// Explicit, for times short against the relaxation; Bogacki-Shampine 3(2), or Dormand-Prince 5(4) if options.table
+  /// names it.
   static std::unique_ptr<Integrator> explicit_rk(System& system, const IntegratorOptions& options);
   /// With the Newton iteration of cvode_bdf in every stage; ESDIRK 3(2), L-stable and stiffly accurate (Kennedy
-  /// and Carpenter 2003, ARK3(2)4L[2]SA) if options.table names no other.
+  /// and Carpenter 2003, ARK3(2)4L[2]SA).
   static std::unique_ptr<Integrator> diagonally_implicit_rk(System& system, const IntegratorOptions& options);
   ~ArkodeIntegrator() override;
-
-  bool interpolates() const override;
 
  protected:
   void restart(double t, N_Vector y, double first_step) override;

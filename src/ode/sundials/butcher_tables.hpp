@@ -1,5 +1,5 @@
 #pragma once
-/// The Butcher tables of ARKODE by name.
+/// Butcher tables of ARKODE by name: those that save solves.
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ struct ButcherTable {
   int order = 0;
 };
 
-/// Those with an embedded method, without which there is no error estimate and so no control of the step.
+/// The default comes first.
 const std::vector<ButcherTable>& explicit_tables();
 const std::vector<ButcherTable>& diagonally_implicit_tables();
 

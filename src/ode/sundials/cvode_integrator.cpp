@@ -21,6 +21,8 @@ int max_bdf_order(double tolerance) {
 /// Creep has not been seen to use higher ones, but their vectors would be allocated.
 constexpr int max_adams_order = 6;
 constexpr int anderson_depth = 3;
+/// Two more than SUNDIALS' three, with which an iteration that has found out where a law yields comes to its end.
+constexpr int max_newton_iterations = 5;
 }  // namespace
 
 CvodeIntegrator::CvodeIntegrator(std::string name, int method, System& system, const IntegratorOptions& options)
@@ -67,6 +69,7 @@ void CvodeIntegrator::use_newton_tangent() {
   tangent_.emplace(callbacks_, context_);
   check(CVodeSetLinearSolver(memory_, tangent_->solver.get(), tangent_->matrix.get()), "CVodeSetLinearSolver");
   check(CVodeSetLinSysFn(memory_, SundialsCallbacks::prepare_tangent), "CVodeSetLinSysFn");
+  check(CVodeSetMaxNonlinIters(memory_, max_newton_iterations), "CVodeSetMaxNonlinIters");
   check(CVodeSetNonlinConvCoef(memory_, newton_coefficient), "CVodeSetNonlinConvCoef");
   check(CVodeSetMaxOrd(memory_, max_bdf_order(options_.tolerance)), "CVodeSetMaxOrd");
 }

@@ -10,6 +10,9 @@
 namespace creepcontact::ode {
 
 namespace {
+/// Part of the residual that an iteration may leave without a new tangent.
+constexpr double slow_convergence = 0.5;
+
 SundialsCallbacks& object(void* self) {
   return *static_cast<SundialsCallbacks*>(self);
 }
@@ -31,6 +34,7 @@ int SundialsCallbacks::guarded(Call call) noexcept {
 
 int SundialsCallbacks::rate(realtype t, N_Vector y, N_Vector rate, void* self) {
   SundialsCallbacks& me = object(self);
+  me.last_ = {t, y};
   return me.guarded([&] { me.system_.rate(t, view(y, me.size_), view(rate, me.size_)); });
 }
 
@@ -65,6 +69,8 @@ int SundialsCallbacks::prepare_tangent(realtype t, N_Vector y, N_Vector, SUNMatr
                                        realtype gamma, void* self, N_Vector, N_Vector, N_Vector) {
   SundialsCallbacks& me = object(self);
   *renewed = SUNTRUE;  // also where only gamma has changed: the factorisation is the cost, not the Jacobian
+  me.tangent_gamma_ = gamma;
+  me.residual_ = 0;  // an iteration begins
   return me.guarded([&] { me.system_.newton_solver()->prepare_tangent(t, view(y, me.size_), gamma); });
 }
 
@@ -75,7 +81,14 @@ int SundialsCallbacks::prepare_tangent_with_mass(realtype t, N_Vector y, N_Vecto
 }
 
 int SundialsCallbacks::solve_tangent(N_Vector r, N_Vector z) noexcept {
-  return guarded([&] { system_.newton_solver()->solve_tangent(view(r, size_), view(z, size_)); });
+  return guarded([&] {
+    const double before = last_.time == solved_time_ ? residual_ : 0;
+    residual_ = N_VWrmsNorm(r, weights_);
+    solved_time_ = last_.time;
+    if (before > 0 && residual_ > slow_convergence * before)
+      system_.newton_solver()->prepare_tangent(last_.time, view(last_.state, size_), tangent_gamma_);
+    system_.newton_solver()->solve_tangent(view(r, size_), view(z, size_));
+  });
 }
 
 void SundialsCallbacks::message(int code, const char*, const char*, char* text, void* self) {

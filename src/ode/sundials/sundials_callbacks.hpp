@@ -38,7 +38,9 @@ class SundialsCallbacks {
                                        N_Vector work1, N_Vector work2, N_Vector work3);
   static void message(int code, const char* module, const char* function, char* text, void* self);
 
-  /// z = System::solve_tangent(r) for a SUNLinearSolver. @returns 0, +1 or -1
+  /// z = NewtonSolver::solve_tangent(r) for a SUNLinearSolver. An iteration that hardly reduces the residual goes on
+  /// with the tangent at its present point: that of the first one misleads where a law without a smooth rate yields in
+  /// one of both points alone. @returns 0, +1 or -1
   int solve_tangent(N_Vector r, N_Vector z) noexcept;
 
   /// What weights() hands out: 1 / absolute tolerance.
@@ -56,6 +58,13 @@ class SundialsCallbacks {
   System& system_;
   std::size_t size_;
   N_Vector weights_ = nullptr;
+  struct Point {
+    double time = 0;
+    N_Vector state = nullptr;
+  };
+  Point last_;                             ///< of rate(), which outlives the iteration
+  double tangent_gamma_ = 0;               ///< of the last factorisation
+  double residual_ = 0, solved_time_ = 0;  ///< of the last solve_tangent(); 0: none since the last factorisation
   std::exception_ptr fatal_;
   std::string recoverable_;
   std::string message_;

@@ -17,7 +17,7 @@ class SundialsIntegrator : public Integrator {
   /// Forgets the history: the method starts from its lowest order or, if step = 0, searches for a first step.
   void initialize(double t, std::span<const double> y, double step = 0) final;
   StepReport step(double t_limit) final;
-  bool interpolates() const override { return true; }
+  bool interpolates() const final { return true; }
   void interpolate(double t, std::span<double> y) const final;
   double time() const final { return time_; }
   std::span<const double> state() const final { return view(state_.get(), system_.size()); }

@@ -86,6 +86,7 @@ TEST(KnownWords, AgreeWithTheSchema) {
                            "activation_energy",
                            "gas_constant",
                            "m",
+                           "auto",
                            "cvode_adams",
                            "log_adams",
                            "arkode_dirk",

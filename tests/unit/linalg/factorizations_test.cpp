@@ -1,12 +1,13 @@
 #include "creepcontact/linalg/factorizations.hpp"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <array>
 #include <atomic>
 #include <stdexcept>
 #include <vector>
+
+#include "threads.hpp"
 
 namespace creepcontact::linalg {
 namespace {
@@ -25,7 +26,7 @@ TEST(Factorizations, OfOneLargeBodyAreMadeByAllThreads) {
 
 TEST(Factorizations, ThrowTheFirstErrorAfterThoseUnderWay) {
   for (const int threads : {1, 2}) {
-    omp_set_num_threads(threads);
+    const testing::Threads set(threads);
     std::atomic<int> ended{0};
     const std::vector<double> entries(4, 1e6);
     const auto work = [&](std::size_t i) {
@@ -41,7 +42,6 @@ TEST(Factorizations, ThrowTheFirstErrorAfterThoseUnderWay) {
     }
     EXPECT_EQ(ended, threads == 1 ? 2 : 4);
   }
-  omp_set_num_threads(1);
 }
 
 }  // namespace

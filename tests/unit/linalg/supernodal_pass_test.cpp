@@ -1,30 +1,19 @@
 #include "../../../src/linalg/supernodal_pass.hpp"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <atomic>
 #include <thread>
 #include <vector>
 
 #include "matrices.hpp"
+#include "threads.hpp"
 
 namespace creepcontact::linalg {
 namespace {
 
 using testing::Problem;
-
-/// Sets the number of threads while it lives.
-class Threads {
- public:
-  explicit Threads(int n) : before_(omp_get_max_threads()) { omp_set_num_threads(n); }
-  ~Threads() { omp_set_num_threads(before_); }
-  Threads(const Threads&) = delete;
-  Threads& operator=(const Threads&) = delete;
-
- private:
-  int before_;
-};
+using testing::Threads;
 
 /// Large enough to be cut into subtrees and panels.
 Problem cut_problem() {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 
 namespace creepcontact::model {
@@ -84,9 +84,9 @@ TEST(Discontinuities, SmoothFunctionsHaveNone) {
 }
 
 TEST(Discontinuities, OfAHundredCycles) {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   const Discontinuities found = discontinuities_of("max(0, min(min(mod(t, 50), (25 - mod(t, 50))), 1))", 5000);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;  // of the processor
   EXPECT_TRUE(found.jumps.empty());
   ASSERT_EQ(found.kinks.size(), 399u);
   for (std::size_t i = 0; i < found.kinks.size(); ++i) {

@@ -1,6 +1,5 @@
-/// Butcher tables by name: all that ARKODE has, each of its order.
+/// Butcher tables by name, each of its order.
 
-#include <arkode/arkode_arkstep.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,29 +11,22 @@
 namespace creepcontact::ode {
 namespace {
 
-TEST(ButcherTables, AllOfArkodeWithAnEmbeddedMethod) {
-  EXPECT_EQ(explicit_tables().size(), ARKODE_MAX_ERK_NUM - ARKODE_MIN_ERK_NUM) << "all but Knoth-Wolke";
-  EXPECT_EQ(diagonally_implicit_tables().size(), ARKODE_MAX_DIRK_NUM - ARKODE_MIN_DIRK_NUM + 1);
-}
-
 TEST(ButcherTables, AreFoundInAnySpelling) {
   for (const char* name : {"dormand_prince_7_4_5", "DORMAND_PRINCE_7_4_5", "ARKODE_DORMAND_PRINCE_7_4_5"})
     EXPECT_EQ(find_table(explicit_tables(), name).order, 5);
-  EXPECT_EQ(find_table(explicit_tables(), "ark548l2sab_erk_8_4_5").arkode_name, "ARKODE_ARK548L2SAb_ERK_8_4_5");
 }
 
 TEST(ButcherTables, OthersAreRefusedByName) {
   LinearSystem system({-1.0});
-  for (const auto& [integrator, table] : {std::pair{"arkode_erk", "sdirk_2_1_2"},
-                                          {"arkode_erk", "knoth_wolke_3_3"},
-                                          {"arkode_dirk", "heun_euler_2_1_2"}}) {
+  for (const auto& [integrator, table] :
+       {std::pair{"arkode_erk", "ark324l2sa_dirk_4_2_3"}, {"arkode_dirk", "dormand_prince_7_4_5"}}) {
     IntegratorOptions options;
     options.table = table;
     try {
       make_integrator(integrator, system, options);
       ADD_FAILURE() << table;
     } catch (const ConfigError& error) {
-      for (const char* part : {table, "embedded", "_2_1_2"})
+      for (const char* part : {table, "allowed", "_4_2_3"})
         EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
     }
   }
@@ -96,11 +88,10 @@ TEST_P(EveryTable, HasTheOrderThatItReports) {
   int order = 0;
   if (method.integrator == "arkode_erk") {
     const int digit = method.table.back() - '0';
-    const int steps = digit <= 3 ? 128 : digit <= 5 ? 32 : digit <= 6 ? 16 : 4;  // errors well above rounding
+    const int steps = digit <= 3 ? 128 : 32;  // errors well above rounding
     const double coarse = error_of_equal_steps(method, steps, order);
     const double fine = error_of_equal_steps(method, 2 * steps, order);
-    // Order 8 shows only where rounding begins: ratios of 6.6, 7.0, 7.5 in extended precision.
-    EXPECT_GT(std::log2(coarse / fine), order - (order <= 6 ? 0.4 : 1.5));
+    EXPECT_GT(std::log2(coarse / fine), order - 0.4);
     EXPECT_LT(std::log2(coarse / fine), order + 0.9);
   } else {
     const double observed = observed_order_of_implicit(method, order);
@@ -119,7 +110,7 @@ TEST_P(EveryTable, MeetsTheTolerance) {
     const Values times = {0.1, 1, 10};
     integrator->initialize(0, Values{0});
     for (double t : times) {
-      while (integrator->time() < t) integrator->step(integrator->interpolates() ? 10 : t);
+      while (integrator->time() < t) integrator->step(10);
       Values y(1);
       integrator->interpolate(t, y);
       EXPECT_NEAR(RelaxingBar::stress(y[0]), RelaxingBar::exact_stress(t), 20 * tolerance * RelaxingBar::initial_stress)

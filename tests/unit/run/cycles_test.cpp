@@ -81,7 +81,7 @@ TEST(Cycles, ASteadyOneEndsTheRun) {
   EXPECT_EQ(Table(blocks / "out" / "cycles.csv").rows(), later.number("cycles/steady"));
 }
 
-const std::vector<std::string> integrators{"auto", "log_adams", "cvode_bdf", "rkc2", "arkode_erk", "beta_euler"};
+const std::vector<std::string> integrators{"auto", "log_adams", "cvode_bdf", "arkode_erk", "beta_euler"};
 
 class CycleJumps : public testing::TestWithParam<std::string> {};
 
@@ -156,7 +156,7 @@ TEST_P(CycleResume, RepeatsTheBitsWhereverItWasInterrupted) {
     EXPECT_EQ(found.number(key), expected.number(key)) << key;
 }
 
-INSTANTIATE_TEST_SUITE_P(Integrators, CycleResume, testing::Values("auto", "log_adams", "rkc2"),
+INSTANTIATE_TEST_SUITE_P(Integrators, CycleResume, testing::Values("auto", "log_adams"),
                          [](const auto& tested) { return tested.param; });
 
 TEST(Cycles, ALongerRunGoesOnFromTheMiddleOfOne) {

@@ -40,7 +40,7 @@ class PressureIntegral final : public Observer {
   double limit_;
 };
 
-const std::vector<std::string> settings{"time.output=[0.5, 1, 1.6, 3]", "time.integrator=rkc2"};
+const std::vector<std::string> settings{"time.output=[0.5, 1, 1.6, 3]", "time.integrator=log_adams"};
 
 TEST(Observers, OfTheCallerSeeTheRun) {
   const Case blocks;

@@ -78,7 +78,6 @@ INSTANTIATE_TEST_SUITE_P(
                     "recovery=[0.2]}]"}},
         ResumeCase{"beta_euler_newton", 0, {"time.integrator=beta_euler", "time.step=0.3", "time.inner=newton"}},
         ResumeCase{"euler_adaptive", 0, {"time.integrator=explicit_euler", "time.step=adaptive"}},
-        ResumeCase{"rkc2", 0, {"time.integrator=rkc2", "time.tolerance=1e-6"}},
         ResumeCase{"auto", 5e-4, {"time.integrator=auto"}},
         ResumeCase{"arkode_erk", 0, {"time.integrator=arkode_erk", "time.tolerance=1e-8"}},
         ResumeCase{"arkode_dirk", 0, {"time.integrator=arkode_dirk", "time.tolerance=1e-8"}},

@@ -79,8 +79,7 @@ TEST(RunOutputs, StepsEndAtOutputTimesIfAsked) {
 INSTANTIATE_TEST_SUITE_P(Integrators, Run,
                          testing::Values(RunCase{"explicit_euler", 5e-3, {"time.step=0.0625"}},
                                          RunCase{"beta_euler", 1e-3, {"time.step=0.25", "time.beta=0.5"}},
-                                         RunCase{"cvode_bdf", 1e-3, {}}, RunCase{"arkode_dirk", 1e-3, {}},
-                                         RunCase{"rkc2", 1e-3, {}}),
+                                         RunCase{"cvode_bdf", 1e-3, {}}, RunCase{"arkode_dirk", 1e-3, {}}),
                          [](const auto& tested) { return std::string(tested.param.integrator); });
 
 INSTANTIATE_TEST_SUITE_P(

@@ -44,8 +44,8 @@ TEST_P(StepExtremes, OfAPeakBetweenOutputs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, StepExtremes,
-                         testing::Values("auto", "log_adams", "cvode_bdf", "cvode_adams", "rkc2", "arkode_erk",
-                                         "arkode_dirk", "beta_euler", "explicit_euler"),
+                         testing::Values("auto", "log_adams", "cvode_bdf", "cvode_adams", "arkode_erk", "arkode_dirk",
+                                         "beta_euler", "explicit_euler"),
                          [](const auto& of) { return of.param; });
 
 TEST(StepExtremes, OfElasticBodies) {
@@ -127,7 +127,7 @@ TEST(StepExtremes, OfCyclesThatAreJumpedOver) {
 
 TEST(StepExtremes, OfAResumedRunAreThoseOfTheWholeOne) {
   const Case blocks;
-  for (const char* integrator : {"rkc2", "log_adams"}) {
+  for (const char* integrator : {"cvode_adams", "log_adams"}) {
     const config::Config config =
         blocks.config(pressure_probe, {peak, "time.output=[0.5, 2, 3]", std::string("time.integrator=") + integrator});
     const std::filesystem::path whole = blocks / "whole", parts = blocks / "parts";
@@ -161,7 +161,7 @@ TEST(StepExtremes, RoundingIsNoForce) {
 TEST(StepExtremes, AnInterruptedRunNamesTheTimeOfItsLastValues) {
   const Case blocks;
   const config::Config config =
-      blocks.config(pressure_probe, {"time.output=[1]", "time.integrator=rkc2", "time.end=400"});
+      blocks.config(pressure_probe, {"time.output=[1]", "time.integrator=log_adams", "time.end=400"});
   struct Interrupting final : Observer {
     Reaction step(StepView& view) override {
       if (view.time() > 2) std::raise(SIGINT);

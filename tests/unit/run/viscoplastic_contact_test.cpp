@@ -102,7 +102,7 @@ TEST(ViscoplasticContact, YieldingBetweenElasticStatesIsNotPassedOver) {
 
 INSTANTIATE_TEST_SUITE_P(Integrators, ViscoplasticIntegrators,
                          testing::Values("auto", "log_adams", "cvode_bdf", "cvode_adams", "arkode_erk", "arkode_dirk",
-                                         "rkc2", "beta_euler"),
+                                         "beta_euler"),
                          [](const auto& tested) { return tested.param; });
 
 }  // namespace

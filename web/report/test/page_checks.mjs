@@ -11,12 +11,13 @@ const AXE = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const WITH_WEBGL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
 const WITHOUT_WEBGL = ["--disable-gpu", "--disable-3d-apis"];
+const LONGEST = 600_000; // milliseconds, until a hang is certain on a busy machine too
 const LEAST_CHANGE = 200; // pixels
 const MOST_NOISE = 0.002; // of the pixels, between two pictures of the same state
 
 export async function withBrowser(webgl, action) {
   const browser = await puppeteer.launch({
-    executablePath: CHROMIUM, headless: true, protocolTimeout: 120_000,
+    executablePath: CHROMIUM, headless: true, timeout: LONGEST, protocolTimeout: LONGEST,
     args: ["--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", ...(webgl ? WITH_WEBGL : WITHOUT_WEBGL)],
   });
   try {
@@ -29,6 +30,7 @@ export async function withBrowser(webgl, action) {
 // A page that is loaded, with what it complained of.
 export async function open(browser, file, { width = 1280, height = 900, script = true } = {}) {
   const page = await browser.newPage();
+  page.setDefaultTimeout(LONGEST);
   const complaints = [];
   page.on("console", (message) => ["error", "warn"].includes(message.type()) && complaints.push(message.text()));
   page.on("pageerror", (error) => complaints.push(String(error)));
@@ -43,8 +45,7 @@ export async function viewersReady(page) {
   const n = await page.$$eval(".viewer[data-scene]", (all) => all.length);
   for (let i = 0; i < n; i++) {
     await page.evaluate((k) => document.querySelectorAll(".viewer[data-scene]")[k].scrollIntoView(), i);
-    await page.waitForFunction((k) => document.querySelectorAll(".viewer[data-scene]")[k].dataset.state === "ready",
-                               { timeout: 60_000 }, i);
+    await page.waitForFunction((k) => document.querySelectorAll(".viewer[data-scene]")[k].dataset.state === "ready", {}, i);
   }
   return n;
 }
@@ -216,7 +217,7 @@ export async function checkFile(file, { screenshots = "", expectViewer = false }
       const figures = await page.$$(".fields");
       for (const figure of figures) {
         await figure.scrollIntoView();
-        if (script) await page.waitForFunction(() => document.querySelector(".viewer").dataset.state === "failed", { timeout: 20_000 });
+        if (script) await page.waitForFunction(() => document.querySelector(".viewer").dataset.state === "failed");
         const images = await figure.$$(".still img");
         for (const image of images)
           if (!(await image.boundingBox())) throw new Error(`without ${name} the still pictures are not shown`);

@@ -57,7 +57,7 @@ TEST_F(SummaryFile, IsReadBackWhole) {
   summary.units = "mm, N";
   summary.version = "0.2.0";
   summary.integrator = "auto";
-  summary.method = "rkc2";
+  summary.method = "log_adams";
   summary.steps = 7;
   summary.time_reached = 1e5;
   summary.bodies["ring"] = {.dofs = 10, .elements = 11, .integration_points = 12, .von_mises = {3, 4, 1}};
