@@ -19,13 +19,14 @@ struct Variable {
   const char* name;
   double Arguments::*member;
 };
-constexpr std::array<Variable, 7> known_variables{{{"x", &Arguments::x},
+constexpr std::array<Variable, 8> known_variables{{{"x", &Arguments::x},
                                                    {"y", &Arguments::y},
                                                    {"z", &Arguments::z},
                                                    {"t", &Arguments::t},
                                                    {"T", &Arguments::T},
                                                    {"q", &Arguments::q},
-                                                   {"eps", &Arguments::eps}}};
+                                                   {"eps", &Arguments::eps},
+                                                   {"U", &Arguments::U}}};
 
 /// Remainder with the sign of b.
 double modulo(double a, double b) {

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "creepcontact/base/unit_system.hpp"
+
 namespace creepcontact {
 namespace {
 
@@ -31,11 +33,12 @@ const Units& units_of(Dimension dimension) {
   constexpr double day = 86400, year = 365.25 * day, inch = 0.0254, pound = 4.4482216152605,
                    psi = pound / (inch * inch);
   constexpr double celsius = 273.15, fahrenheit = 459.67 / 1.8;
-  static const Units times{{"s", {1}},       {"ms", {1e-3}},    {"min", {60}},    {"h", {3600}},    {"hr", {3600}},
-                           {"hour", {3600}}, {"hours", {3600}}, {"d", {day}},     {"day", {day}},   {"days", {day}},
-                           {"a", {year}},    {"yr", {year}},    {"year", {year}}, {"years", {year}}};
-  static const Units lengths{{"mm", {1e-3}}, {"m", {1}},    {"cm", {1e-2}}, {"um", {1e-6}},
-                             {"µm", {1e-6}}, {"km", {1e3}}, {"in", {inch}}, {"ft", {12 * inch}}};
+  static const Units times{{"s", {1}},        {"sec", {1}},      {"second", {1}},  {"seconds", {1}}, {"minute", {60}},
+                           {"minutes", {60}}, {"ms", {1e-3}},    {"min", {60}},    {"h", {3600}},    {"hr", {3600}},
+                           {"hour", {3600}},  {"hours", {3600}}, {"d", {day}},     {"day", {day}},   {"days", {day}},
+                           {"a", {year}},     {"yr", {year}},    {"year", {year}}, {"years", {year}}};
+  static const Units lengths{{"mm", {1e-3}}, {"m", {1}},     {"cm", {1e-2}},   {"um", {1e-6}},     {"µm", {1e-6}},
+                             {"km", {1e3}},  {"in", {inch}}, {"inch", {inch}}, {"inches", {inch}}, {"ft", {12 * inch}}};
   static const Units forces{
       {"N", {1}},       {"kN", {1e3}},   {"MN", {1e6}},          {"mN", {1e-3}},     {"uN", {1e-6}},   {"µN", {1e-6}},
       {"lbf", {pound}}, {"lb", {pound}}, {"kip", {1e3 * pound}}, {"kgf", {9.80665}}, {"tf", {9806.65}}};
@@ -62,19 +65,21 @@ const Units& units_of(Dimension dimension) {
   }
 }
 
-std::vector<std::string> words(const std::string& units) {
+}  // namespace
+
+std::vector<std::string> unit_words(const std::string& units) {
   std::vector<std::string> result(1);
-  for (char c : units) {
-    if (c == ',' || c == ';' || std::isspace(static_cast<unsigned char>(c))) {
+  for (const char letter : units) {
+    const bool separates = std::string_view(",;-").find(letter) != std::string_view::npos;
+    if (separates || std::isspace(static_cast<unsigned char>(letter))) {
       if (!result.back().empty()) result.emplace_back();
     } else {
-      result.back() += c;
+      result.back() += letter;
     }
   }
+  if (result.back().empty()) result.pop_back();
   return result;
 }
-
-}  // namespace
 
 Dimension dimension_of(const std::string& name) {
   const auto found = std::ranges::find(names, name, &std::pair<std::string_view, Dimension>::first);
@@ -104,7 +109,7 @@ std::string unit_of(Dimension dimension, const std::string& units) {
     return force.empty() || length.empty() ? "" : force + "·" + length;
   }
   const Dimension of_word = dimension == Dimension::area ? Dimension::length : dimension;
-  for (const std::string& word : words(units)) {
+  for (const std::string& word : unit_words(units)) {
     if (!unit_scale(of_word, word)) continue;
     if (dimension == Dimension::area) return word + "²";
     return word == "degC" ? "°C" : word == "degF" ? "°F" : word;

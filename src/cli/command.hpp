@@ -28,6 +28,7 @@ int picture(const Command& self, const Arguments& arguments);
 int new_model(const Command& self, const Arguments& arguments);
 int import(const Command& self, const Arguments& arguments);
 int fit(const Command& self, const Arguments& arguments);
+int material(const Command& self, const Arguments& arguments);
 int list(const Command& self, const Arguments& arguments);
 
 /// Arguments of one command: options, one positional argument that must be given, and one that may be.

@@ -44,13 +44,16 @@ const std::vector<Command>& commands() {
        "DATA.csv has the columns time, stress, strain and, if need be, temperature, test, kind, rate, rupture_time, "
        "with\n"
        "units in the header: time [h], stress [MPa], strain [%].\n"},
-      {"list", "(keys|study-keys|integrators|laws|elements|quantities|templates) [KEY] [options]",
+      {"material", "NAME [options]",
+       "Compares the data that the material library has of a steel: creep, relaxation, rupture.", material},
+      {"list", "(keys|study-keys|integrators|laws|elements|quantities|templates|materials) [KEY|WORD] [options]",
        "Lists the keys and names that a configuration or a study may use.", list,
        "KEY selects the keys to show. It is one of:\n"
        "  a path (time, contacts[0].gap): this key and all keys below it;\n"
        "  a table as written in the file ('[time]'; '[]' for the keys above all tables);\n"
        "  a word (tolerance, cvode_bdf): the keys with this word in their names or allowed values,\n"
-       "  or else in their descriptions.\n"},
+       "  or else in their descriptions.\n"
+       "WORD selects materials of the library by a part of their names: P91, 1.4903.\n"},
   };
   return all;
 }
@@ -58,7 +61,7 @@ const std::vector<Command>& commands() {
 std::string help() {
   std::string text =
       fmt::format("{} COMMAND [arguments]\n\nCreep of bodies in contact.\n\nCommands\n", Processes::program());
-  for (const Command& command : commands()) text += fmt::format("  {:<8}{}\n", command.name, command.summary);
+  for (const Command& command : commands()) text += fmt::format("  {:<9}{}\n", command.name, command.summary);
   text +=
       "\nOptions\n  --help     show this help; after a command: help on it\n  --version  show the version; with "
       "--verbose also the libraries that decide the speed\n";

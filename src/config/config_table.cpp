@@ -18,8 +18,10 @@ const Material& Config::material(const std::string& name) const {
 Value<Config> config_table(const Vocabulary& vocabulary) {
   return table<Config>({
       field<Config>("title", &Config::title, text(), "title of the run; copied to `summary.json`").changeable(),
-      field<Config>("units", &Config::units, text(),
-                    "the units used, for information; copied to `summary.json` and the field files")
+      field<Config>(
+          "units", &Config::units, text(),
+          "the units used, such as `\"mm, N, MPa, h, degC\"`; copied to `summary.json` and the field files, and "
+          "needed where a material has `use`")
           .changeable(),
       field<Config>("remarks", &Config::remarks, list(text()),
                     "what `check` and `run` repeat as warnings, such as what `import` left out of a deck")

@@ -1,5 +1,7 @@
 /// [materials.<name>] and its creep mechanisms
 
+#include "creepcontact/config/material_library.hpp"
+#include "library_use.hpp"
 #include "table.hpp"
 #include "tables.hpp"
 
@@ -307,6 +309,36 @@ Value<Hill> hill_table() {
   });
 }
 
+/// Names of the material library, and files of the user's own. @param materials  directory of the library
+Value<std::vector<std::string>> library_names(const std::filesystem::path& materials) {
+  Value<std::vector<std::string>> value = one_or_more_texts(library_use_type());
+  value.brief = "name in the material library, or a list of them";
+  value.json = [materials] {
+    const Json one = schema_of_any(
+        {schema_of_words(names_of(material_library(materials))), {{"type", "string"}, {"pattern", "\\.toml(/|$)"}}});
+    Json several = schema_of_list(one);
+    several["minItems"] = 1;
+    return schema_of_any({one, several});
+  };
+  return value;
+}
+
+/// The reader has put the values where they belong, unless there is no `use`.
+Value<LibraryOverrides> overrides_table() {
+  Value<LibraryOverrides> value{.type = "a table of values by path, such as \"creep[0].A\" = 1e-20",
+                                .read = {},
+                                .brief = "table of values by path, such as `\"creep[0].A\" = 1e-20`",
+                                .json = [] {
+                                  return Json{{"type", "object"}};
+                                }};
+  value.read = [](const Item& item, Context& context) -> std::optional<LibraryOverrides> {
+    context.errors.add(item.location, "has no effect", "with `use` only");
+    return std::nullopt;
+  };
+  value.visit = [](const LibraryOverrides& /*none*/, Visitor& to) { to.table([] {}); };
+  return value;
+}
+
 }  // namespace
 
 Value<Material> material_table(const Vocabulary& vocabulary) {
@@ -323,6 +355,12 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
           .needed_if(is_isotropic),
   };
   const auto keys = table<Material>({
+      field<Material>("use", &Material::use, library_names(vocabulary.materials),
+                      "takes elasticity, expansion, creep, rupture and fatigue from the library: blocks that one name "
+                      "does not have come from the next. Keys next to it replace what the library has. Needs `units`"),
+      field<Material>("override", &Material::overrides, overrides_table(),
+                      "replaces single values that `use` takes, in the units of the model")
+          .otherwise("none"),
       isotropic[0],
       isotropic[1],
       field<Material>("orthotropic", &Material::orthotropic, orthotropic_table(),

@@ -5,6 +5,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/config/writer.hpp"
 #include "cross_checks.hpp"
+#include "library_use.hpp"
 #include "overrides.hpp"
 #include "section_checks.hpp"
 #include "tables.hpp"
@@ -23,6 +24,15 @@ void require_no_study(const toml::table& document, const std::filesystem::path& 
                   file.string()));
 }
 
+/// True for what the data of the library depend on: units, time.cycle, materials.<name>.use and what is below
+/// .override.
+bool selects_library_data(const std::string& override_text) {
+  std::string key = override_text.substr(0, override_text.find('='));
+  std::erase(key, ' ');
+  if (key == "units" || key == "time.cycle") return true;
+  return key.starts_with("materials.") && (key.ends_with(".use") || key.find(".override") != std::string::npos);
+}
+
 }  // namespace
 
 Config parse(const std::string& text, const std::filesystem::path& file, const Vocabulary& vocabulary,
@@ -30,7 +40,12 @@ Config parse(const std::string& text, const std::filesystem::path& file, const V
   toml::table document = parse_toml(text, file, [&] { return schema(vocabulary); });
   require_no_study(document, file);
   Context context{.directory = file.parent_path(), .errors = {}};
-  for (const std::string& one : overrides) apply_override(one, document, context.errors);
+  // What the library gives is a part of the document, which overrides may change.
+  for (const std::string& one : overrides)
+    if (selects_library_data(one)) apply_override(one, document, context.errors);
+  insert_library_data(document, file.string(), vocabulary, context);
+  for (const std::string& one : overrides)
+    if (!selects_library_data(one)) apply_override(one, document, context.errors);
   context.end = document["time"]["end"].value<double>().value_or(0.0);
   const Item root{&document, {.file = file.string(), .line = 1, .column = 1}};
   Config config = config_table(vocabulary).read(root, context).value();

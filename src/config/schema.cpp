@@ -1,12 +1,18 @@
 #include "creepcontact/config/schema.hpp"
 
+#include <algorithm>
+
+#include "creepcontact/config/material_library.hpp"
 #include "study_tables.hpp"
 #include "tables.hpp"
 
 namespace creepcontact::config {
 
 std::vector<KeyInfo> schema(const Vocabulary& vocabulary) {
-  return config_table(vocabulary).keys;
+  std::vector<KeyInfo> keys = config_table(vocabulary).keys;
+  const auto use = std::ranges::find(keys, "materials.<name>.use", &KeyInfo::path);
+  use->words = words_of(names_of(material_library(vocabulary.materials)));
+  return keys;
 }
 
 std::vector<KeyInfo> study_schema() {

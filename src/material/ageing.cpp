@@ -13,8 +13,9 @@ EquivalentRate Ageing::equivalent_rate(double q, const PointState& at) const {
 
 LawInfo ageing_info() {
   return {"ageing", "strain = A q^n t^m", "C. R. Soderberg, 1936",
-          with_arrhenius(law_table(Row<power_law::A>{power_law::factor()}, Row<power_law::n>{stress_exponent()},
-                                   Row<power_law::m>{{.key = "m", .description = "time exponent [-]"}})),
+          with_arrhenius(
+              law_table(Row<power_law::A>{power_law::factor()}, Row<power_law::n>{stress_exponent()},
+                        Row<power_law::m>{{.key = "m", .description = "time exponent [-]", .dimension = unit::none}})),
           construct<Ageing>};
 }
 

@@ -16,15 +16,15 @@ Function activated_function(const Function& A, const Function& Q, const Function
       fmt::format("({})*exp(-({})/({}*(T - ({}))))", A.text(), Q.text(), R.text(), absolute_zero.text());
   return Function::composed(text, {A, Q, R, absolute_zero, Function::expression("T", {"T"})},
                             [](const std::vector<double>& values) {
-                              const double zero = values[3], T = values[4];
-                              if (!(T > zero))
-                                throw ModelError(
-                                    fmt::format("temperature {} is not above absolute zero, {}: creep with an "
-                                                "activation_energy needs 'absolute_zero' in the unit of your "
-                                                "temperatures (-273.15 for degrees Celsius, 0 for kelvin)",
-                                                T, zero));
-                              return values[0] * std::exp(-values[1] / (values[2] * (T - zero)));
+                              const double above_zero = absolute_temperature(values[4], values[3]);
+                              return values[0] * std::exp(-values[1] / (values[2] * above_zero));
                             });
+}
+
+/// "A", "A and B", "A, B and C"
+std::string listed(const std::vector<std::string>& names) {
+  if (names.size() < 2) return fmt::format("{}", fmt::join(names, ""));
+  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
 /// The name of the constant in the description of its activation energy.
@@ -35,13 +35,31 @@ std::string activated_name(const ParameterInfo& constant) {
 
 }  // namespace
 
+ParameterInfo absolute_zero_key() {
+  return {.key = "absolute_zero",
+          .description = "absolute zero in your unit of temperature: -273.15 for degrees Celsius, 0 for kelvin",
+          .dimension = unit::temperature,
+          .minimum = -std::numeric_limits<double>::infinity(),
+          .strict = false,
+          .fallback = {{-273.15}},
+          .variables = {}};
+}
+
+double absolute_temperature(double T, double absolute_zero) {
+  if (!(T > absolute_zero))
+    throw ModelError(fmt::format(
+        "temperature {} is not above absolute zero, {}: creep that depends on the absolute temperature "
+        "needs 'absolute_zero' in the unit of your temperatures (-273.15 for degrees Celsius, 0 for kelvin)",
+        T, absolute_zero));
+  return T - absolute_zero;
+}
+
 Function inverse(const Function& of) {
   return Function::composed(fmt::format("1/({})", of.text()), {of},
                             [](const std::vector<double>& values) { return 1.0 / values[0]; });
 }
 
 std::vector<ParameterInfo> with_arrhenius(std::vector<ParameterInfo> own) {
-  const double any = -std::numeric_limits<double>::infinity();
   const std::size_t energy = own.size() + activation_energy;
   std::vector<std::string> names;
   for (ParameterInfo& constant : own) {
@@ -50,20 +68,17 @@ std::vector<ParameterInfo> with_arrhenius(std::vector<ParameterInfo> own) {
     names.push_back(activated_name(constant));
   }
   own.push_back({.key = "activation_energy",
-                 .description = "activation energy Q: exp(-Q/(R (T - absolute_zero))) multiplies " +
-                                fmt::format("{}", fmt::join(names, " and ")) + " [energy/mol]",
+                 .description = "activation energy Q: exp(-Q/(R (T - absolute_zero))) multiplies " + listed(names) +
+                                " [energy/mol]",
+                 .dimension = unit::none,
                  .strict = false,
                  .fallback = {{0.0}}});
   own.push_back({.key = "gas_constant",
                  .description = "gas constant R [energy/(mol degree)]",
+                 .dimension = unit::per_degree,
                  .fallback = {{8.314462618}},
                  .variables = {}});
-  own.push_back({.key = "absolute_zero",
-                 .description = "absolute zero in your unit of temperature: -273.15 for degrees Celsius, 0 for kelvin",
-                 .minimum = any,
-                 .strict = false,
-                 .fallback = {{-273.15}},
-                 .variables = {}});
+  own.push_back(absolute_zero_key());
   return own;
 }
 

@@ -13,6 +13,12 @@ enum ArrheniusConstant { activation_energy, gas_constant, absolute_zero, n_arrhe
 /// their own the activation energy.
 std::vector<ParameterInfo> with_arrhenius(std::vector<ParameterInfo> own);
 
+/// The row of the key `absolute_zero`, a number.
+ParameterInfo absolute_zero_key();
+
+/// T - absolute_zero. @throws ModelError if it is not positive
+double absolute_temperature(double T, double absolute_zero);
+
 /// The factor exp(-Q/(R (T - absolute_zero))), a function of T that throws ModelError at or below absolute zero; 1 if
 /// Q = 0. @param values  of a table that with_arrhenius() made @param n_constants  of the law's own
 Function activation_factor(const ParameterValues& values, std::size_t n_constants);

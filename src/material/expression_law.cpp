@@ -108,6 +108,7 @@ LawInfo expression_info() {
           {.key = "rate",
            .description = "equivalent creep rate, an expression in the von Mises stress q, temperature T, time t and "
                           "accumulated equivalent creep strain eps [1/time]",
+           .dimension = unit::per_time,
            .strict = false,
            .variables = {"q", "T", "t", "eps"}}}),
       construct<ExpressionLaw>,

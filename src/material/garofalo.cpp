@@ -17,10 +17,12 @@ LawInfo garofalo_info() {
           with_arrhenius(law_table(
               Row<Garofalo::A>{{.key = "A",
                                 .description = "rate where sinh(alpha q) = 1 [1/time]",
+                                .dimension = unit::per_time,
                                 .strict = false,
                                 .activation = Activation::rate}},
-              Row<Garofalo::alpha>{
-                  {.key = "alpha", .description = "inverse of the stress where the power law breaks down [1/stress]"}},
+              Row<Garofalo::alpha>{{.key = "alpha",
+                                    .description = "inverse of the stress where the power law breaks down [1/stress]",
+                                    .dimension = unit::per_stress}},
               Row<Garofalo::n>{stress_exponent("n", "stress exponent at low stress [-]")})),
           construct<Garofalo>};
 }

@@ -7,17 +7,21 @@ namespace creepcontact::material {
 namespace {
 
 ParameterInfo compliance() {
-  return {
-      .key = "compliance", .description = "uniaxial compliance J of the Kelvin element [1/stress]", .strict = false};
+  return {.key = "compliance",
+          .description = "uniaxial compliance J of the Kelvin element [1/stress]",
+          .dimension = unit::per_stress,
+          .strict = false};
 }
 ParameterInfo retardation() {
   return {.key = "time",
           .description = "retardation time tau of the Kelvin element [time]",
+          .dimension = unit::time,
           .activation = Activation::time};
 }
 ParameterInfo viscosity() {
   return {.key = "viscosity",
           .description = "uniaxial viscosity of the dashpot in series: rate = q/viscosity [stress time]",
+          .dimension = unit::stress * unit::time,
           .activation = Activation::time};
 }
 
@@ -31,10 +35,12 @@ LawInfo hereditary_info() {
           with_arrhenius(law_table(
               Row<Law::compliances>{{.key = "compliances",
                                      .description = "uniaxial compliances J_i of the Kelvin elements [1/stress]",
+                                     .dimension = unit::per_stress,
                                      .strict = false,
                                      .list = true}},
               Row<Law::times>{{.key = "times",
                                .description = "retardation times tau_i [time]",
+                               .dimension = unit::time,
                                .list = true,
                                .activation = Activation::time}},
               Row<Law::volumetric_compliances>{
@@ -42,12 +48,14 @@ LawInfo hereditary_info() {
                    .description =
                        "volumetric compliances B_i, volumetric strain per mean stress [1/stress]; not given: the "
                        "volume does not creep",
+                   .dimension = unit::per_stress,
                    .strict = false,
                    .list = true,
                    .fallback = std::vector<Function>{}}},
               Row<Law::fluidity>{
                   {.key = "fluidity",
                    .description = "uniaxial fluidity of a dashpot in series, rate per stress [1/(stress time)]",
+                   .dimension = unit::per_stress / unit::time,
                    .strict = false,
                    .fallback = {{0.0}},
                    .activation = Activation::rate}})),

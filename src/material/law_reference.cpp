@@ -25,7 +25,9 @@ std::string allowed(const ParameterInfo& key) {
     text += key.list ? "numbers" : "number";
   else
     text += fmt::format("{} of {}", key.list ? "functions" : "function", fmt::join(key.variables, ", "));
-  if (std::isfinite(key.maximum))
+  if (std::isfinite(key.maximum) && !std::isfinite(key.minimum))
+    text += fmt::format(", <= {}", key.maximum);
+  else if (std::isfinite(key.maximum))
     text += fmt::format(", in {}{}, {}]", key.strict ? '(' : '[', key.minimum, key.maximum);
   else if (std::isfinite(key.minimum))
     text += fmt::format(", {} {}", key.strict ? ">" : ">=", key.minimum);

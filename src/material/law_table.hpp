@@ -34,7 +34,7 @@ requires AllConstantsInOrder<constants...> std::vector<ParameterInfo> law_table(
 
 /// The row of an exponent of the stress.
 inline ParameterInfo stress_exponent(const char* key = "n", const char* description = "stress exponent [-]") {
-  return {.key = key, .description = description, .minimum = 1.0, .strict = false};
+  return {.key = key, .description = description, .dimension = unit::none, .minimum = 1.0, .strict = false};
 }
 
 /// The first n of the values: the constants that a law evaluates at points.

@@ -26,17 +26,19 @@ double Lemaitre::accumulated(double q, double eps, const PointState& at, double 
 }
 
 LawInfo lemaitre_info() {
-  return {
-      "lemaitre",
-      "rate = (q/(K eps^(1/m)))^n",
-      "J. Lemaitre, J.-L. Chaboche, 1990",
-      law_table(
-          Row<Lemaitre::K>{{.key = "K", .description = "resistance: 1/UN_SUR_K of code_aster [stress time^(1/n)]"}},
-          Row<Lemaitre::n>{stress_exponent()},
-          Row<Lemaitre::m>{
-              {.key = "m", .description = "hardening exponent: 1/UN_SUR_M of code_aster; large: steady creep [-]"}}),
-      construct<Lemaitre>,
-      {&hardening_strain}};
+  return {"lemaitre",
+          "rate = (q/(K eps^(1/m)))^n",
+          "J. Lemaitre, J.-L. Chaboche, 1990",
+          law_table(
+              Row<Lemaitre::K>{{.key = "K",
+                                .description = "resistance: 1/UN_SUR_K of code_aster [stress time^(1/n)]",
+                                .dimension = unit::stress * unit::pow(unit::time, reciprocal(Lemaitre::n))}},
+              Row<Lemaitre::n>{stress_exponent()},
+              Row<Lemaitre::m>{{.key = "m",
+                                .description = "hardening exponent: 1/UN_SUR_M of code_aster; large: steady creep [-]",
+                                .dimension = unit::none}}),
+          construct<Lemaitre>,
+          {&hardening_strain}};
 }
 
 }  // namespace creepcontact::material

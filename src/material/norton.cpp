@@ -15,6 +15,7 @@ LawInfo norton_info() {
   return {"norton", "rate = A q^n", "F. H. Norton, 1929",
           with_arrhenius(law_table(Row<Norton::A>{{.key = "A",
                                                    .description = "rate at unit equivalent stress [1/(time stress^n)]",
+                                                   .dimension = unit::per_time / unit::pow(unit::stress, Norton::n),
                                                    .strict = false,
                                                    .activation = Activation::rate}},
                                    Row<Norton::n>{stress_exponent()})),

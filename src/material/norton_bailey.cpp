@@ -24,10 +24,13 @@ LawInfo norton_bailey_info() {
       "F. H. Norton, 1929; R. W. Bailey, 1935",
       with_arrhenius(law_table(
           Row<A>{power_law::factor()}, Row<n>{stress_exponent()},
-          Row<m>{{.key = "m", .description = "time exponent [-]; with strain hardening a number in (0, 1]"}},
+          Row<m>{{.key = "m",
+                  .description = "time exponent [-]; with strain hardening a number in (0, 1]",
+                  .dimension = unit::none}},
           Row<hardening>{{.key = "hardening",
                           .description = "what the rate depends on where the stress changes: the creep strain that has "
                                          "accumulated, or the time of the run",
+                          .dimension = unit::none,
                           .fallback = {{0.0}},
                           .words = {"strain", "time"}}})),
       [](const ParameterValues& values) -> std::unique_ptr<CreepLaw> {

@@ -55,6 +55,7 @@ LawInfo omega_info() {
   const auto number = [](const char* key, const std::string& meaning, double low, double high, double value) {
     return ParameterInfo{.key = key,
                          .description = meaning,
+                         .dimension = unit::none,
                          .minimum = low,
                          .strict = false,
                          .fallback = {{value}},
@@ -71,6 +72,7 @@ LawInfo omega_info() {
                              .description =
                                  "equivalent rate of the virgin material, a function of the von Mises stress "
                                  "q and temperature T [1/time]",
+                             .dimension = unit::per_time,
                              .strict = false,
                              .variables = {"q", "T"},
                              .activation = Activation::by_law}},
@@ -78,6 +80,7 @@ LawInfo omega_info() {
                              .description =
                                  "how much the logarithm of the rate grows per creep strain, a function of q "
                                  "and T [-]",
+                             .dimension = unit::none,
                              .variables = {"q", "T"}}},
           Row<Omega::min_stress>{min_stress_key("`rate0` is proportional to q and `omega` constant")},
           Row<Omega::multiaxial>{
@@ -85,6 +88,7 @@ LawInfo omega_info() {
                .description =
                    "`\"api_579\"`: omega is replaced by max(omega - n, 3)^(1 + delta) + alpha_omega n, delta = "
                    "beta_omega ((sigma_1 + sigma_2 + sigma_3)/q - 1), n = d(log rate0)/d(log q)",
+               .dimension = unit::none,
                .fallback = {{0.0}},
                .words = {"none", "api_579"}}},
           Row<Omega::alpha_omega>{number(

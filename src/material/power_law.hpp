@@ -16,6 +16,7 @@ enum Constant {
 inline ParameterInfo factor() {
   return {.key = "A",
           .description = "creep strain at unit equivalent stress and time [1/(time^m stress^n)]",
+          .dimension = unit::none / unit::pow(unit::time, m) / unit::pow(unit::stress, n),
           .strict = false,
           .activation = Activation::rate};
 }

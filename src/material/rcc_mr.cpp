@@ -113,13 +113,18 @@ LawInfo rcc_mr_info() {
           Row<RccMr::C1>{
               {.key = "C1",
                .description = "primary creep strain at unit equivalent stress and time [1/(time^C2 stress^n1)]",
+               .dimension = unit::none / unit::pow(unit::time, RccMr::C2) / unit::pow(unit::stress, RccMr::n1),
                .strict = false,
                .activation = Activation::rate}},
-          Row<RccMr::C2>{
-              {.key = "C2", .description = "time exponent [-], not a function of T", .variables = {}, .maximum = 1.0}},
+          Row<RccMr::C2>{{.key = "C2",
+                          .description = "time exponent [-], not a function of T",
+                          .dimension = unit::none,
+                          .variables = {},
+                          .maximum = 1.0}},
           Row<RccMr::n1>{stress_exponent("n1", "stress exponent of primary creep [-]")},
           Row<RccMr::C>{{.key = "C",
                          .description = "secondary rate at unit equivalent stress [1/(time stress^n)]",
+                         .dimension = unit::per_time / unit::pow(unit::stress, RccMr::n),
                          .strict = false,
                          .activation = Activation::rate}},
           Row<RccMr::n>{stress_exponent("n", "stress exponent of secondary creep [-]")},
@@ -127,10 +132,12 @@ LawInfo rcc_mr_info() {
                           .description =
                               "end of primary creep at unit equivalent stress [time/stress^n3]; it ends earlier, and "
                               "with 0 only, when its rate has fallen to the secondary one",
+                          .dimension = unit::time / unit::pow(unit::stress, RccMr::n3),
                           .strict = false,
                           .fallback = {{0.0}}}},
           Row<RccMr::n3>{{.key = "n3",
                           .description = "stress exponent of this time [-], usually negative",
+                          .dimension = unit::none,
                           .minimum = any,
                           .strict = false,
                           .fallback = {{0.0}}}})),

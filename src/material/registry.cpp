@@ -7,15 +7,20 @@
 #include "ageing.hpp"
 #include "anand.hpp"
 #include "arrhenius.hpp"
+#include "blackburn.hpp"
+#include "booker.hpp"
 #include "chaboche.hpp"
 #include "expression_law.hpp"
 #include "garofalo.hpp"
+#include "hayhurst.hpp"
 #include "hereditary.hpp"
 #include "kachanov_rabotnov.hpp"
+#include "kocks_mecking.hpp"
 #include "lemaitre.hpp"
 #include "norton.hpp"
 #include "norton_bailey.hpp"
 #include "omega.hpp"
+#include "rate_table.hpp"
 #include "rcc_mr.hpp"
 #include "soderberg.hpp"
 #include "strain_hardening.hpp"
@@ -28,6 +33,8 @@ const std::vector<LawInfo>& creep_laws() {
   static const std::vector<LawInfo> laws{
       norton_info(),             // secondary creep
       garofalo_info(),           //
+      kocks_mecking_info(),      //
+      rate_table_info(),         //
       norton_bailey_info(),      // primary creep
       time_hardening_info(),     //
       graham_walles_info(),      //
@@ -36,9 +43,12 @@ const std::vector<LawInfo>& creep_laws() {
       ageing_info(),             //
       soderberg_info(),          // primary and secondary creep
       rcc_mr_info(),             //
+      blackburn_info(),          //
+      booker_info(),             //
       kachanov_rabotnov_info(),  // tertiary creep
       omega_info(),              //
       theta_projection_info(),   // all three stages
+      hayhurst_info(),           //
       chaboche_info(),           // creep and plasticity
       anand_info(),              //
       hereditary_info(),         // viscoelastic creep

@@ -30,12 +30,16 @@ LawInfo soderberg_info() {
       with_arrhenius(law_table(
           Row<Soderberg::C>{{.key = "C",
                              .description = "limit of the primary creep strain at unit equivalent stress [1/stress^p]",
+                             .dimension = unit::none / unit::pow(unit::stress, Soderberg::p),
                              .strict = false}},
           Row<Soderberg::p>{stress_exponent("p", "stress exponent of this limit [-]")},
-          Row<Soderberg::r>{
-              {.key = "r", .description = "rate at which primary creep ends [1/time]", .activation = Activation::rate}},
+          Row<Soderberg::r>{{.key = "r",
+                             .description = "rate at which primary creep ends [1/time]",
+                             .dimension = unit::per_time,
+                             .activation = Activation::rate}},
           Row<Soderberg::A>{{.key = "A",
                              .description = "steady rate at unit equivalent stress [1/(time stress^n)]",
+                             .dimension = unit::per_time / unit::pow(unit::stress, Soderberg::n),
                              .strict = false,
                              .activation = Activation::rate}},
           Row<Soderberg::n>{stress_exponent("n", "stress exponent of the steady rate [-]")})),

@@ -34,18 +34,19 @@ double StrainHardening::accumulated(double q, double eps, const PointState& at, 
 }
 
 LawInfo strain_hardening_info() {
-  return {
-      "strain_hardening",
-      "rate = m A^(1/m) q^(n/m) eps^(1-1/m)",
-      "A. Nadai, 1937",
-      with_arrhenius(law_table(
-          Row<power_law::A>{power_law::factor()}, Row<power_law::n>{stress_exponent()},
-          Row<power_law::m>{
-              {.key = "m", .description = "time exponent [-], not a function of T", .variables = {}, .maximum = 1.0}})),
-      [](const ParameterValues& values) -> std::unique_ptr<CreepLaw> {
-        return std::make_unique<StrainHardening>("strain_hardening", values);
-      },
-      {&hardening_strain}};
+  return {"strain_hardening",
+          "rate = m A^(1/m) q^(n/m) eps^(1-1/m)",
+          "A. Nadai, 1937",
+          with_arrhenius(law_table(Row<power_law::A>{power_law::factor()}, Row<power_law::n>{stress_exponent()},
+                                   Row<power_law::m>{{.key = "m",
+                                                      .description = "time exponent [-], not a function of T",
+                                                      .dimension = unit::none,
+                                                      .variables = {},
+                                                      .maximum = 1.0}})),
+          [](const ParameterValues& values) -> std::unique_ptr<CreepLaw> {
+            return std::make_unique<StrainHardening>("strain_hardening", values);
+          },
+          {&hardening_strain}};
 }
 
 }  // namespace creepcontact::material

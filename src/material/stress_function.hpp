@@ -1,5 +1,6 @@
 #pragma once
-/// Parameters that the user writes as functions of the equivalent stress q and of the temperature T.
+/// Parameters that the user writes as functions of the equivalent stress q, of the temperature T, and of a strength U
+/// that some laws have.
 
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
@@ -26,12 +27,15 @@ class StressFunction {
   double min_stress() const { return min_stress_; }
 
   /// @param q  > 0
-  double operator()(double q, double temperature) const { return extended(q, temperature, nullptr); }
+  double operator()(double q, double temperature, double strength = 1) const {
+    return extended(q, temperature, strength, nullptr);
+  }
   /// The derivative is a central difference with a relative error of about 1e-10.
   template <class Derivatives>
-  Eigen::AutoDiffScalar<Derivatives> operator()(const Eigen::AutoDiffScalar<Derivatives>& q, double temperature) const {
+  Eigen::AutoDiffScalar<Derivatives> operator()(const Eigen::AutoDiffScalar<Derivatives>& q, double temperature,
+                                                double strength = 1) const {
     double slope = 0;
-    const double value = extended(q.value(), temperature, &slope);
+    const double value = extended(q.value(), temperature, strength, &slope);
     return {value, slope * q.derivatives()};
   }
 
@@ -47,8 +51,8 @@ class StressFunction {
  private:
   std::pair<double, double> exponent_and_slope(double q, double temperature) const;
   /// @param slope  nullptr: not wanted
-  double extended(double q, double temperature, double* slope) const;
-  double given(double q, double temperature) const;
+  double extended(double q, double temperature, double strength, double* slope) const;
+  double given(double q, double temperature, double strength) const;
 
   Function function_;
   double min_stress_;

@@ -32,8 +32,9 @@ bool ThetaProjection::evaluate(const StateVariable& variable, const PointState& 
 }
 
 LawInfo theta_projection_info() {
-  const auto theta = [](const char* key, const std::string& meaning) {
-    return ParameterInfo{.key = key, .description = meaning, .strict = false, .variables = {"q", "T"}};
+  const auto theta = [](const char* key, const std::string& meaning, const UnitPowers& dimension) {
+    return ParameterInfo{
+        .key = key, .description = meaning, .dimension = dimension, .strict = false, .variables = {"q", "T"}};
   };
   return {
       "theta_projection",
@@ -41,13 +42,14 @@ LawInfo theta_projection_info() {
       "R. W. Evans, B. Wilshire, 1985",
       law_table(Row<ThetaProjection::theta_1>{theta(
                     "theta_1",
-                    "limit of the primary creep strain, a function of the von Mises stress q and temperature T [-]")},
-                Row<ThetaProjection::theta_2>{
-                    theta("theta_2", "rate at which primary creep ends, a function of q and T [1/time]")},
+                    "limit of the primary creep strain, a function of the von Mises stress q and temperature T [-]",
+                    unit::none)},
+                Row<ThetaProjection::theta_2>{theta(
+                    "theta_2", "rate at which primary creep ends, a function of q and T [1/time]", unit::per_time)},
                 Row<ThetaProjection::theta_3>{
-                    theta("theta_3", "scale of the tertiary creep strain, a function of q and T [-]")},
-                Row<ThetaProjection::theta_4>{
-                    theta("theta_4", "rate at which tertiary creep grows, a function of q and T [1/time]")},
+                    theta("theta_3", "scale of the tertiary creep strain, a function of q and T [-]", unit::none)},
+                Row<ThetaProjection::theta_4>{theta(
+                    "theta_4", "rate at which tertiary creep grows, a function of q and T [1/time]", unit::per_time)},
                 Row<ThetaProjection::min_stress>{
                     min_stress_key("`theta_2` and `theta_4` are proportional to q, `theta_1` and `theta_3` constant")}),
       construct<ThetaProjection>,

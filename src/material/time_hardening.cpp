@@ -60,29 +60,36 @@ void TimeHardening::increment(const PointState& at, double duration, PointIncrem
 
 LawInfo time_hardening_info() {
   return {"time_hardening", "rate = A q^n m t^(m-1)", "P. G. McVetty, 1934; flow theory",
-          with_arrhenius(
-              law_table(Row<power_law::A>{power_law::factor()}, Row<power_law::n>{stress_exponent()},
-                        Row<power_law::m>{{.key = "m", .description = "time exponent [-]; below 1: primary creep"}})),
+          with_arrhenius(law_table(
+              Row<power_law::A>{power_law::factor()}, Row<power_law::n>{stress_exponent()},
+              Row<power_law::m>{
+                  {.key = "m", .description = "time exponent [-]; below 1: primary creep", .dimension = unit::none}})),
           [](const ParameterValues& values) -> std::unique_ptr<CreepLaw> {
             return std::make_unique<TimeHardening>("time_hardening", values);
           }};
 }
 
 LawInfo graham_walles_info() {
-  return {
-      "graham_walles", "rate = sum of A_i q^n_i m_i t^(m_i-1)", "A. Graham, K. F. A. Walles, 1955",
-      with_arrhenius(law_table(
-          Row<power_law::A>{{.key = "A",
-                             .description = "factors [1/(time^m stress^n)]",
-                             .strict = false,
-                             .list = true,
-                             .activation = Activation::rate}},
-          Row<power_law::n>{
-              {.key = "n", .description = "stress exponents [-]", .minimum = 1.0, .strict = false, .list = true}},
-          Row<power_law::m>{{.key = "m", .description = "time exponents [-], for example 1/3, 1, 3", .list = true}})),
-      [](const ParameterValues& values) -> std::unique_ptr<CreepLaw> {
-        return std::make_unique<TimeHardening>("graham_walles", values);
-      }};
+  return {"graham_walles", "rate = sum of A_i q^n_i m_i t^(m_i-1)", "A. Graham, K. F. A. Walles, 1955",
+          with_arrhenius(law_table(Row<power_law::A>{{.key = "A",
+                                                      .description = "factors [1/(time^m stress^n)]",
+                                                      .dimension = power_law::factor().dimension,
+                                                      .strict = false,
+                                                      .list = true,
+                                                      .activation = Activation::rate}},
+                                   Row<power_law::n>{{.key = "n",
+                                                      .description = "stress exponents [-]",
+                                                      .dimension = unit::none,
+                                                      .minimum = 1.0,
+                                                      .strict = false,
+                                                      .list = true}},
+                                   Row<power_law::m>{{.key = "m",
+                                                      .description = "time exponents [-], for example 1/3, 1, 3",
+                                                      .dimension = unit::none,
+                                                      .list = true}})),
+          [](const ParameterValues& values) -> std::unique_ptr<CreepLaw> {
+            return std::make_unique<TimeHardening>("graham_walles", values);
+          }};
 }
 
 }  // namespace creepcontact::material

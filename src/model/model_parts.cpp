@@ -7,7 +7,6 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/material/creep_fatigue.hpp"
-#include "creepcontact/material/life_fraction.hpp"
 #include "creepcontact/material/registry.hpp"
 #include "creepcontact/mesh/group_kind.hpp"
 #include "model_links.hpp"
@@ -21,13 +20,7 @@ std::shared_ptr<const material::LifeFraction> make_life_fraction(const config::R
   double alpha = 0;
   if (from.stress_measure == config::StressMeasure::principal) alpha = 1;
   if (from.stress_measure == config::StressMeasure::mixed) alpha = from.alpha.value();
-  auto data = from.rupture_time ? material::rupture_expression(*from.rupture_time)
-                                : material::larson_miller({.constant = from.larson_miller_constant,
-                                                           .stress = from.stress,
-                                                           .parameter = from.parameter,
-                                                           .absolute_zero = from.absolute_zero,
-                                                           .time_unit = from.time_unit});
-  return std::make_shared<material::LifeFraction>(std::move(data), alpha);
+  return std::make_shared<material::LifeFraction>(rupture_data(from), alpha);
 }
 
 std::shared_ptr<const material::CreepLaw> make_creep_fatigue(const config::Fatigue& from,
@@ -41,6 +34,15 @@ std::shared_ptr<const material::CreepLaw> make_creep_fatigue(const config::Fatig
 }
 
 }  // namespace
+
+std::shared_ptr<const material::RuptureData> rupture_data(const config::Rupture& from) {
+  return from.rupture_time ? material::rupture_expression(*from.rupture_time)
+                           : material::larson_miller({.constant = from.larson_miller_constant,
+                                                      .stress = from.stress,
+                                                      .parameter = from.parameter,
+                                                      .absolute_zero = from.absolute_zero,
+                                                      .time_unit = from.time_unit});
+}
 
 material::Material make_material(const config::Material& from) {
   material::Material result;

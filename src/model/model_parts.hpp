@@ -9,6 +9,7 @@
 
 #include "creepcontact/mesh/mesh.hpp"
 #include "creepcontact/model/error_collector.hpp"
+#include "creepcontact/model/materials.hpp"
 #include "creepcontact/model/model.hpp"
 #include "creepcontact/model/numbered_nodes.hpp"
 
@@ -19,7 +20,6 @@ struct SearchedFunction;  // function_search.hpp
 /// Reads or makes the mesh. @throws ModelError, with the place in the configuration if there is no such file
 mesh::Mesh read_mesh(const config::Mesh& mesh, settings::Analysis analysis);
 
-material::Material make_material(const config::Material& material);
 std::optional<mechanics::MaterialAxes> material_axes(const config::Body& body);
 
 using Bodies = std::vector<mechanics::Body>;

@@ -8,9 +8,17 @@ namespace creepcontact::platform {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> companion_places(const std::string& name) {
+namespace {
+
+fs::path program_directory() {
   std::error_code failure;
-  const fs::path here = fs::read_symlink("/proc/self/exe", failure).parent_path();
+  return fs::read_symlink("/proc/self/exe", failure).parent_path();
+}
+
+}  // namespace
+
+std::vector<fs::path> companion_places(const std::string& name) {
+  const fs::path here = program_directory();
   return {here / name, (here / CREEPCONTACT_COMPANIONS_FROM_BIN / name).lexically_normal(),
           fs::path(CREEPCONTACT_COMPANIONS_INSTALLED) / name};
 }
@@ -18,6 +26,14 @@ std::vector<fs::path> companion_places(const std::string& name) {
 fs::path find_companion(const std::string& name, bool executable) {
   for (const fs::path& place : companion_places(name))
     if (::access(place.c_str(), executable ? X_OK : R_OK) == 0) return place;
+  return {};
+}
+
+fs::path find_shared(const std::string& name) {
+  const fs::path here = program_directory();
+  for (const fs::path& place : {here / name, (here / CREEPCONTACT_SHARED_FROM_BIN / name).lexically_normal(),
+                                fs::path(CREEPCONTACT_SHARED_INSTALLED) / name})
+    if (::access(place.c_str(), R_OK) == 0) return place;
   return {};
 }
 

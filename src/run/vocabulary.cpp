@@ -6,6 +6,7 @@
 #include "creepcontact/material/life_fraction.hpp"
 #include "creepcontact/material/registry.hpp"
 #include "creepcontact/ode/integrator.hpp"
+#include "creepcontact/platform/companions.hpp"
 #include "creepcontact/results/quantities.hpp"
 
 namespace creepcontact::run {
@@ -52,6 +53,7 @@ std::optional<config::LawError> validate_fatigue(const std::vector<double>& stra
 
 config::Vocabulary vocabulary() {
   config::Vocabulary result;
+  result.materials = platform::find_shared("materials");
   for (const material::LawInfo& law : material::creep_laws()) {
     config::Law entry{.name = law.name, .keys = {}, .formula = law.formula};
     for (const material::ParameterInfo& parameter : law.parameters) {
@@ -66,6 +68,7 @@ config::Vocabulary vocabulary() {
       key.fallback = parameter.fallback.value_or(std::vector<Function>{});
       key.maximum = parameter.maximum;
       key.words = parameter.words;
+      key.dimension = parameter.dimension;
       entry.keys.push_back(key);
     }
     entry.validate = [&law](const material::ParameterValues& values) { return validate(law, values); };

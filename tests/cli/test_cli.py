@@ -146,6 +146,26 @@ class List(CliTest):
         self.assertEqual(call("list", "keys", "contacts[0].type", "--values").stdout, "unilateral\ntied\n")
         self.assertIn("axes[].values\n", call("list", "study-keys", "--names").stdout)
 
+    def test_materials(self):
+        done = call("list", "materials", "1.4903")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"^grade_91  Grade 91 \(9Cr.*P91")
+        self.assertRegex(done.stdout, r"\n  /en_10216_2 .*rupture.*500 to 670 °C.*fitted here")
+        self.assertNotIn("grade_92", done.stdout)
+        names = call("list", "materials", "--names").stdout.split()
+        self.assertIn("grade_91/swindeman_1999", names)
+        self.assertEqual(len([name for name in names if "/" not in name]), 28)
+        self.assertIn("### Grade 91\n", call("list", "materials", "--markdown").stdout)
+        self.assertIn("grade_91/omega\n", call("list", "keys", "materials.x.use", "--values").stdout)
+        self.expect_error(call("list", "materials", "grade_19"), "'grade_19'", "'grade_91'")
+        self.expect_error(call("list", "materials", "--values"), "list materials: --values")
+
+    def test_material_command(self):
+        done = call("material", "P91", "--temperature", "600")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"Grade 91 .*at 600 °C\nvariant .*\nswindeman_1999 .*one copy\n")
+        self.expect_error(call("material", "grade_19"), "'grade_19'", "'grade_91'")
+
     def test_mistakes_with_keys(self):
         self.expect_error(call("list", "keys", "tolerence"), "'tolerence'", "'tolerance'")
         self.expect_error(call("list", "laws", "norton"), "--json-schema", "study-keys")

@@ -53,7 +53,7 @@ class Completion(CompletionTest):
         return sorted(done.stdout.splitlines())
 
     def test_commands(self):
-        self.assertEqual(self.complete(""), ["--help", "--version", "check", "fit", "import", "list", "new", "picture", "plot", "report", "run", "study"])
+        self.assertEqual(self.complete(""), ["--help", "--version", "check", "fit", "import", "list", "material", "new", "picture", "plot", "report", "run", "study"])
         self.assertEqual(self.complete("pl"), ["plot"])
 
     def test_every_command_of_the_program(self):
@@ -80,7 +80,7 @@ class Completion(CompletionTest):
 
     def test_lists(self):
         self.assertEqual(self.complete("list "),
-                         ["elements", "integrators", "keys", "laws", "quantities", "study-keys", "templates"])
+                         ["elements", "integrators", "keys", "laws", "materials", "quantities", "study-keys", "templates"])
         self.assertEqual(self.complete("list keys con"), ["contact_solver", "contacts"])
         self.assertEqual(self.complete("list study-keys ax"), ["axes"])
         self.assertEqual(self.complete("plot results --log-time "), ["auto", "no", "yes"])

@@ -88,6 +88,26 @@ class LawErrors(Says, unittest.TestCase):
         self.expect("soderberg", "C = 1\np = 3\nr = 0\nA = 1\nn = 5", (".r", "0", "> 0"))
         self.expect("mpc_omega", "", (".law", "'mpc_omega'", "'omega'"))
 
+    def test_laws_of_alloys(self):
+        km = "rate0 = 1.5e11\nA = -0.248\nB = -0.492\nshear_modulus = 57634\n[temperature]\nvalue = 600\n"
+        self.expect("kocks_mecking", "burgers = 2.019e-7\n" + km)
+        self.expect("kocks_mecking", "burgers = 2.019e-10\n" + km, (".burgers", "2.019e-10", "one system of units"))
+        self.expect("kocks_mecking", "burgers = 2.019e-7\n" + km.replace("A = -0.248", "A = 0.1"), (".A", "0.1"))
+        tests = "stress = [80, 100, 60, 80]\nrate = [19e-6, 102e-6, 60e-6, 318e-6]\n"
+        self.expect("rate_table", tests + "T = [700, 700, 750, 750]\n[temperature]\nvalue = 700")
+        self.expect("rate_table", tests + "T = [700, 700, 750, 750]\n", ("", "[temperature]"))
+        self.expect("rate_table", tests + "T = [700, 700, 750]\n", (".T", "3", "'stress'", "4"))
+        self.expect("rate_table", "stress = [80, 80]\nrate = [1e-6, 2e-6]", (".stress", "80 twice"))
+        self.expect("rate_table", "stress = [80, 100]\nrate = [2e-6, 1e-6]", (".rate", "1e-06", "100", "2e-06", "increase"))
+        self.expect("rate_table", "stress = [0, 100]\nrate = [2e-6, 1e-6]", (".stress[0]", "0", "> 0"))
+        self.expect("hayhurst", "rate0 = 1e-10\nK = 10\nh1 = 3e4\nH1_limit = 1.3\nsigma0 = 20\nalpha = 2",
+                    (".H1_limit", "1.3", "[0, 1]"), (".alpha", "2", "[0, 1]"))
+        self.expect("hayhurst", "rate0 = 1e-10\nK = 10\nh1 = 3e4\nH1_limit = 0.3")
+        self.expect("hayhurst", "rate0 = 1e-10\nK = 10\nh1 = 3e4\nH1_limit = 0.3\nA = 1e-6", ("", "'sigma0' is missing", "A", "> 0"))
+        curve = "".join(f'{key}_{i} = "1e-6*q"\n' for key in ("limit", "speed", "rate") for i in (1, 2))
+        self.expect("booker", 'strength = 400\nchange = "1e5*exp(-q/U)"\n' + curve)
+        self.expect("booker", 'strength = "400 - U"\nchange = 1e5\n' + curve, (".strength", "'400 - U'", "U"))
+
     def test_expressions(self):
         self.expect("expression", 'rate = "1e-13*q^5*s"', (".rate", "'1e-13*q^5*s'", "s"))
         self.expect("expression", "rate = -1", (".rate", "-1"))

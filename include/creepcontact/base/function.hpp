@@ -1,6 +1,6 @@
 #pragma once
-/// Scalar functions given by the user: a number, an expression in x, y, z, t, T, q, eps (muParser), or a table in t or
-/// T.
+/// Scalar functions given by the user: a number, an expression in x, y, z, t, T, q, eps, U (muParser), or a table in t
+/// or T.
 
 #include <functional>
 #include <memory>
@@ -17,6 +17,7 @@ struct Arguments {
   double T = 0;                ///< temperature
   double q = 0;                ///< equivalent stress (creep rate expressions)
   double eps = 0;              ///< accumulated equivalent creep strain (creep rate expressions)
+  double U = 1;                ///< strength of the material (of a law that has one)
 };
 
 /// A closed interval.
@@ -32,7 +33,8 @@ class Function {
   Function() : Function(0.0) {}
   Function(double constant);  // NOLINT(google-explicit-constructor): a number is a function value
 
-  /// @param allowed  variables that the expression may use, a subset of "x y z t T q eps": "xyzt" is {"x","y","z","t"}
+  /// @param allowed  variables that the expression may use, a subset of "x y z t T q eps U": "xyzt" is
+  /// {"x","y","z","t"}
   /// @throws std::invalid_argument with the message of the parser and the position in the expression
   static Function expression(const std::string& text, const std::vector<std::string>& allowed);
 

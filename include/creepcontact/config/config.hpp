@@ -135,9 +135,15 @@ struct DataRange {
   std::optional<Interval> time;
 };
 
+/// [materials.<name>.override]: values by their paths. The reader puts them where they belong.
+struct LibraryOverrides {};
+
 /// [materials.<name>]
 struct Material {
   std::string name;
+  /// Names in the material library: the reader replaces them by the data, so that these are empty afterwards.
+  std::vector<std::string> use;
+  std::optional<LibraryOverrides> overrides;
   Function young_modulus;                        ///< of T; not with `orthotropic`
   Function poisson_ratio;                        ///< of T; not with `orthotropic`
   std::optional<Orthotropic> orthotropic;        ///< elasticity

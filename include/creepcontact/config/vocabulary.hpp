@@ -1,6 +1,7 @@
 #pragma once
 /// Names that the configuration may use and other modules define; the caller of the reader passes them in.
 
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <map>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "creepcontact/base/function.hpp"
+#include "creepcontact/base/unit_powers.hpp"
 
 namespace creepcontact::config {
 
@@ -25,6 +27,7 @@ struct LawKey {
   double maximum = std::numeric_limits<double>::infinity();  ///< largest allowed value, inclusive
   /// Not empty: the value is one of these words; as a Function, its number, from 0 on.
   std::vector<std::string> words = {};
+  UnitPowers dimension = unit::none;  ///< exponents that are constants: by their places in Law::keys
 };
 
 /// A value that is in the range of its key but not possible for the law.
@@ -71,6 +74,7 @@ struct Vocabulary {
   std::function<std::optional<LawError>(const std::vector<double>& strain_range, const std::vector<double>& cycles,
                                         const std::vector<std::vector<double>>& interaction)>
       validate_fatigue = {};
+  std::filesystem::path materials = {};  ///< directory of the material library; empty: there is none
 };
 
 }  // namespace creepcontact::config

@@ -39,10 +39,10 @@ struct BarHistory {
 /// All laws together.
 /// @param times  increasing, >= 0
 /// Method: at constant stress the closed forms of the laws, if growth in one increment and in two are the same to a
-/// tenth of `tolerance`. Otherwise the increments of the laws over the first 1e-4 of the shortest time (1e-8 in
-/// relaxation), then Rosenbrock's method with an error below `tolerance` per step, relative to each unknown. The values
-/// between its steps are interpolated. Cost: some ten microseconds per step, some ten steps per decade of time where
-/// the rate changes.
+/// tenth of `tolerance`. Otherwise the increments of the laws over the first 1e-4 of the shortest time (down to 1e-8 if
+/// they are not exact, and in relaxation), then Rosenbrock's method with an error below `tolerance` per step, relative
+/// to each unknown. The values between its steps are interpolated. Cost: some ten microseconds per step, some ten steps
+/// per decade of time where the rate changes.
 BarHistory bar_history(std::span<const std::shared_ptr<const CreepLaw>> laws, const BarTest& test,
                        std::span<const double> times, double tolerance = 1e-6);
 

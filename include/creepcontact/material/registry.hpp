@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/base/unit_powers.hpp"
 #include "creepcontact/material/creep_law.hpp"
 
 namespace creepcontact::material {
@@ -25,6 +26,7 @@ enum class Activation {
 struct ParameterInfo {
   std::string key;          ///< as in the configuration
   std::string description;  ///< with its unit in terms of stress and time
+  UnitPowers dimension;     ///< exponents that are constants: by their places in LawInfo::parameters
   double minimum = 0;       ///< smallest allowed value ...
   bool strict = true;       ///< ... exclusive
   bool list = false;        ///< true: takes a list of values; all lists of a law have the same length

@@ -28,7 +28,7 @@ struct StateVariable {
 
 inline constexpr StateVariable damage{
     .name = "damage",
-    .description = "damage of `kachanov_rabotnov` or `omega`, 0 to 1; 0 where there is none",
+    .description = "damage of `kachanov_rabotnov`, `omega` or `hayhurst`, 0 to 1; 0 where there is none",
     .label = "damage",
     .maximum = 1};
 inline constexpr StateVariable life_fraction{

@@ -14,4 +14,8 @@ std::vector<std::filesystem::path> companion_places(const std::string& name);
 /// The first of these places at which there is a file that may be read (or, with `executable`, executed); empty: none.
 std::filesystem::path find_companion(const std::string& name, bool executable);
 
+/// Data that are installed with the program: a file or directory of this name in the directory of the program (that of
+/// the build), or in share/creepcontact; empty: none.
+std::filesystem::path find_shared(const std::string& name);
+
 }  // namespace creepcontact::platform

@@ -1,4 +1,5 @@
 // What every creep law must fulfil, whatever its formula: one suite over the registry.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -7,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <regex>
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/material/registry.hpp"
@@ -34,12 +36,15 @@ Function expression_rate(const std::string& text) {
 }
 
 Function stress_function(const std::string& text) {
-  return Function::expression(text, {"q", "T"});
+  return Function::expression(text, {"q", "T", "U"});
 }
 
 const std::map<std::string, Sample> samples{
     {"norton", {{{1e-13}, {5.0}}}},
     {"garofalo", {{{1e-4}, {0.01}, {3.5}}}},
+    {"kocks_mecking", {{{1e10}, {-0.06}, {-0.0432}, {2.5e-7}, {1.380649e-20}, {6e4}}}},
+    {"rate_table",
+     {{{50.0, 100.0, 200.0, 60.0, 150.0}, {2e-5, 3e-4, 2e-2, 1e-3, 5e-2}, {400.0, 400.0, 400.0, 600.0, 600.0}}}},
     {"time_hardening", {.parameters = {{1e-13}, {5.0}, {0.4}}, .closed_form = true}},
     {"graham_walles",
      {.parameters = {{1e-8, 1e-13, 1e-15}, {2.0, 5.0, 5.0}, {1.0 / 3, 1.0, 3.0}}, .closed_form = true}},
@@ -48,6 +53,18 @@ const std::map<std::string, Sample> samples{
     {"ageing", {{{1e-13}, {5.0}, {0.4}}}},
     {"soderberg", {.parameters = {{1e-8}, {3.0}, {0.5}, {1e-13}, {5.0}}, .closed_form = true}},
     {"rcc_mr", {.parameters = {{1e-13}, {0.4}, {5.0}, {1e-18}, {5.5}, {1e5}, {-2.0}}, .closed_form = true}},
+    {"blackburn",
+     {.parameters = {{1e-3}, {0.01}, {3.0}, {0.5}, {2.0}, {3.0}, {0.01}, {2e-4}, {0.1}, {0.01}, {2.0}},
+      .closed_form = true}},
+    {"booker",
+     {{{400.0},
+       {stress_function("1e-4*q*U/400")},
+       {stress_function("1e-3*q^1.5*(1 + T/1000)")},
+       {stress_function("1e-7*q^2")},
+       {stress_function("4e-4*q")},
+       {stress_function("2e-5*q^2*U/400")},
+       {stress_function("1e-8*q^2.5")},
+       {stress_function("1e3*exp(-q/U)")}}}},
     {"omega",
      {{{stress_function("1e-13*q^5*(1 + T/1000)*exp(q/500)")},
        {stress_function("25 + 200/q")},
@@ -63,6 +80,7 @@ const std::map<std::string, Sample> samples{
                      {stress_function("1e-10*q^4")},
                      {stress_function("1e-3*q")}},
       .closed_form = true}},
+    {"hayhurst", {{{1e-4}, {50.0}, {3e3}, {0.33}, {60.0}, {1.0}, {-280.0}, {1.0}, {0.2}, {0.01}, {1e-4}, {0.4}}}},
     {"kachanov_rabotnov", {{{1e-13}, {5.0}, {1e-12}, {4.0}, {6.0}, {0.6}}}},
     {"lemaitre", {.parameters = {{1500.0}, {8.0}, {6.0}}, .closed_form = true}},
     {"chaboche",
@@ -145,6 +163,66 @@ TEST_P(CreepLawProperties, HasTheStateVariablesOfItsEntryInTheRegistry) {
     if (known) {
       EXPECT_TRUE(std::ranges::all_of(values, [](double v) { return std::isfinite(v); })) << variable->name;
     }
+  }
+}
+
+/// The constants of a law in other units.
+ParameterValues converted(const LawInfo& law, const ParameterValues& values, const UnitChange& change) {
+  ParameterValues result = values;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const UnitPowers& dimension = law.parameters[i].dimension;
+    for (std::size_t k = 0; k < values[i].size(); ++k) {
+      const auto other = [&](std::size_t place) {
+        const std::vector<Function>& of = values[place];
+        return of.empty() ? 1.0 : of.at(of.size() > 1 ? k : 0)({});
+      };
+      const Function& old = values[i][k];
+      const double times = factor(dimension, change, other), plus = dimension.is_temperature() ? change.zero : 0.0;
+      if (old.is_constant()) {
+        result[i][k] = times * old({}) + plus;
+        continue;
+      }
+      const auto replaced = [](const std::string& text, const char* name, double by, double zero) {
+        return std::regex_replace(text, std::regex(fmt::format("\\b{}\\b", name)),
+                                  fmt::format("(({} - {})/{})", name, zero, by));
+      };
+      std::string text = replaced(replaced(old.text(), "q", change.stress, 0.0), "U", change.stress, 0.0);
+      text = replaced(replaced(text, "t", change.time, 0.0), "T", change.degree, change.zero);
+      result[i][k] = Function::expression(fmt::format("({})*{}", text, times), law.parameters[i].variables);
+    }
+  }
+  return result;
+}
+
+TEST_P(CreepLawProperties, DimensionsOfConstantsGiveTheSameRatesInOtherUnits) {
+  const UnitChange change{.stress = 0.5, .time = 3.0, .length = 7.0, .degree = 1.8, .zero = 32.0};
+  const LawInfo& info = *find_creep_law(GetParam());
+  ParameterValues values = sample.parameters;
+  for (std::size_t i = values.size(); i < info.parameters.size(); ++i) {
+    values.push_back(info.parameters[i].fallback.value());
+    if (info.is_activation_energy(i)) values.back() = {2e4};
+  }
+  // Rates of creep strain and internal variables.
+  const auto rates = [&](const ParameterValues& constants, PointState at, double T) {
+    const std::unique_ptr<CreepLaw> made = info.make(constants);
+    std::vector<double> at_point;
+    for (const Function& parameter : made->parameters()) at_point.push_back(parameter({.T = T}));
+    at.parameters = at_point;
+    at.temperature = T;
+    std::pair<Tensor6, Eigen::VectorXd> found{Tensor6::Zero(), Eigen::VectorXd::Zero(made->n_internal())};
+    made->rate(at, {tensor::writable(found.first), numbers(found.second)});
+    return found;
+  };
+  for (int i = 0; i < 20; ++i) {
+    const Tensor6 stress = random(6, -150, 150), other_stress = change.stress * stress;
+    const auto [expected, expected_own] = rates(values, point(stress), 500.0);
+    PointState at = point(other_stress);
+    at.time *= change.time;
+    const auto [found, found_own] = rates(converted(info, values, change), at, change.degree * 500.0 + change.zero);
+    const double times = law->is_isochronous() ? 1.0 : change.time;
+    EXPECT_GT(expected.norm(), 0.0);
+    EXPECT_LE((times * found - expected).norm(), 1e-10 * expected.norm());
+    EXPECT_LE((times * found_own - expected_own).norm(), 1e-10 * expected_own.norm());
   }
 }
 

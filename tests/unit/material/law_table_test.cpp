@@ -14,14 +14,19 @@ namespace {
 enum TwoConstants { speed, exponent, n_constants };
 
 template <auto... constants>
-concept HasTable = requires {
-  law_table(Row<constants>{}...);
+concept HasTable = requires(Row<constants>... rows) {
+  law_table(rows...);
+};
+template <class Info>
+concept NeedsNoDimension = requires {
+  Info{.key = "A", .description = "a constant"};
 };
 
 static_assert(HasTable<speed, exponent>);
 static_assert(!HasTable<exponent, speed>, "an order that is not that of the enumeration");
 static_assert(!HasTable<speed>, "a constant without a row");
 static_assert(!HasTable<speed, speed>, "a constant with two rows");
+static_assert(!NeedsNoDimension<ParameterInfo>, "a constant without a dimension");
 
 TEST(LawTable, RefusesValuesOfAnotherNumber) {
   const LawInfo* norton = find_creep_law("norton");
@@ -56,6 +61,18 @@ TEST(LawTable, EnergiesFollowFromTheRows) {
   }
   EXPECT_EQ(energies, (std::vector<std::string>{"damage_activation_energy", "activation_energy"}));
   EXPECT_EQ(activated, (std::vector<std::string>{"A by activation_energy", "B by damage_activation_energy"}));
+}
+
+TEST(LawTable, ADimensionMayDependOnAnotherConstant) {
+  const LawInfo& law = *find_creep_law("chaboche");
+  const UnitChange change{.stress = 2.0, .time = 9.0};
+  const auto resistance = [&](double sinh_rate) {
+    return factor(law.parameters[0].dimension, change, [&](std::size_t place) {
+      return law.parameters[place].key == "n" ? 2.0 : law.parameters[place].key == "sinh_rate" ? sinh_rate : NAN;
+    });
+  };
+  EXPECT_DOUBLE_EQ(resistance(0.0), 2.0 * 3.0);
+  EXPECT_DOUBLE_EQ(resistance(1e-5), 2.0);
 }
 
 // In every law an activation energy changes what its rows say, and nothing else.

@@ -5,91 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "../../../src/material/hardening_law.hpp"
 #include "creepcontact/material/registry.hpp"
 #include "support/says.hpp"
-#include "unit/material/with_defaults.hpp"
+#include "unit/material/pulled_bar.hpp"
 
 namespace creepcontact::material {
 namespace named_laws {
 namespace {
 
-/// A bar whose material has one law.
-class Bar {
- public:
-  Bar(const std::string& name, ParameterValues values, double T = 500) : temperature_(T) {
-    law_ = make_law(name, std::move(values));
-    for (const Function& parameter : law_->parameters()) parameters_.push_back(parameter({.T = T}));
-    internal_.assign(law_->n_internal(), 0.0);
-  }
-
-  PointState at(double stress) {
-    stress_[0] = stress;
-    return {.stress = tensor::view(stress_),
-            .internal = internal_,
-            .parameters = parameters_,
-            .time = time_,
-            .temperature = temperature_};
-  }
-
-  double rate(double stress) {
-    Tensor6 strain_rate = Tensor6::Zero();
-    std::vector<double> own(internal_.size());
-    law_->rate(at(stress), {tensor::writable(strain_rate), own});
-    return strain_rate[0];
-  }
-
-  /// Moves on at constant stress by the closed form of the law.
-  void grow(double stress, double duration) {
-    Tensor6 change = Tensor6::Zero();
-    std::vector<double> own(internal_.size(), 0.0);
-    law_->increment(at(stress), duration, {tensor::writable(change), own});
-    strain_ += change[0];
-    for (std::size_t i = 0; i < own.size(); ++i) internal_[i] += own[i];
-    time_ += duration;
-  }
-
-  /// Moves on at constant stress by the rate alone: Runge and Kutta, fourth order.
-  void integrate(double stress, double duration, int steps) {
-    const double h = duration / steps;
-    const std::vector<double> weight{1, 2, 2, 1}, place{0, 0.5, 0.5, 1};
-    for (int step = 0; step < steps; ++step) {
-      const std::vector<double> begin = internal_;
-      std::vector<double> sum(begin.size(), 0.0), own(begin.size(), 0.0);
-      const double t = time_;
-      double strain = 0;
-      for (std::size_t k = 0; k < 4; ++k) {
-        for (std::size_t i = 0; i < begin.size(); ++i) internal_[i] = begin[i] + h * place[k] * own[i];
-        time_ = t + h * place[k];
-        Tensor6 strain_rate = Tensor6::Zero();
-        law_->rate(at(stress), {tensor::writable(strain_rate), own});
-        strain += weight[k] * strain_rate[0];
-        for (std::size_t i = 0; i < begin.size(); ++i) sum[i] += weight[k] * own[i];
-      }
-      for (std::size_t i = 0; i < begin.size(); ++i) internal_[i] = begin[i] + h / 6 * sum[i];
-      strain_ += h / 6 * strain;
-      time_ = t + h;
-    }
-  }
-
-  void wait(double duration) { time_ += duration; }
-
-  double value(const StateVariable& variable, double stress) {
-    double value = 0;
-    EXPECT_TRUE(law_->evaluate(variable, at(stress), {&value, 1}));
-    return value;
-  }
-
-  double strain() const { return strain_; }
-  std::vector<double>& internal() { return internal_; }
-
- private:
-  std::unique_ptr<CreepLaw> law_;
-  double temperature_, time_ = 0, strain_ = 0;
-  Tensor6 stress_ = Tensor6::Zero();
-  std::vector<double> parameters_, internal_;
-};
+using Bar = PulledBar;
 
 Function of(const std::string& text) {
   return Function::expression(text, {"q", "T"});
@@ -301,6 +228,8 @@ TEST(Activation, MultipliesTheRateOfEveryLaw) {
       {"ageing", {{1.0}, {3.0}, {1.0}}},
       {"soderberg", {{1.0}, {3.0}, {1.0}, {1.0}, {3.0}}},
       {"rcc_mr", {{1.0}, {1.0}, {3.0}, {1.0}, {3.0}, {0.0}, {0.0}}},
+      {"blackburn",
+       {{1.0}, {0.01}, {3.0}, {1.0}, {1.0}, {1.0}, {0.0}, {1e-3}, {0.0}, {}, {}, {0.0}, {3.6}, {0.0}, {1.0}, {1.0}}},
       {"kachanov_rabotnov", {{1.0}, {3.0}, {0.0}, {3.0}, {3.0}, {0.0}, {0.0}}},
       {"omega", {{1.0}, {40.0}, {0.0}, {0.0}, {1.0}, {0.33}, {0.0}, {0.0}}},
       {"anand", {{1.0}, {2.0}, {0.5}, {60.0}, {0.0}, {0.0}, {1.0}, {250.0}}},
@@ -311,9 +240,10 @@ TEST(Activation, MultipliesTheRateOfEveryLaw) {
   for (const LawInfo& law : creep_laws()) {
     const bool is_activated =
         std::ranges::find(law.parameters, "activation_energy", &ParameterInfo::key) != law.parameters.end();
-    // The constants of chaboche and lemaitre are resistances, which are given at each temperature.
-    const bool by_functions =
-        law.name == "expression" || law.name == "theta_projection" || law.name == "chaboche" || law.name == "lemaitre";
+    // Others take functions of the temperature, the absolute temperature itself, or resistances (chaboche, lemaitre).
+    static const std::set<std::string> others{"expression",    "theta_projection", "chaboche", "lemaitre",
+                                              "kocks_mecking", "rate_table",       "hayhurst", "booker"};
+    const bool by_functions = others.contains(law.name);
     EXPECT_NE(is_activated, by_functions) << law.name;
     if (!is_activated) continue;
     ASSERT_TRUE(laws.contains(law.name)) << law.name;
