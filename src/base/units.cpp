@@ -44,7 +44,8 @@ const Units& units_of(Dimension dimension) {
       {"lbf", {pound}}, {"lb", {pound}}, {"kip", {1e3 * pound}}, {"kgf", {9.80665}}, {"tf", {9806.65}}};
   static const Units stresses{{"Pa", {1}},      {"kPa", {1e3}},    {"MPa", {1e6}},       {"GPa", {1e9}},
                               {"bar", {1e5}},   {"psi", {psi}},    {"ksi", {1e3 * psi}}, {"Msi", {1e6 * psi}},
-                              {"N/mm2", {1e6}}, {"N/mm^2", {1e6}}, {"N/m2", {1}},        {"N/m^2", {1}}};
+                              {"N/mm2", {1e6}}, {"N/mm^2", {1e6}}, {"N/mm²", {1e6}},     {"N/m2", {1}},
+                              {"N/m^2", {1}},   {"N/m²", {1}}};
   static const Units temperatures{
       {"degC", {1, celsius}},          {"°C", {1, celsius}},          {"C", {1, celsius}},         {"K", {1}},
       {"degF", {1 / 1.8, fahrenheit}}, {"°F", {1 / 1.8, fahrenheit}}, {"F", {1 / 1.8, fahrenheit}}};

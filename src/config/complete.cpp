@@ -69,6 +69,20 @@ void translate_data_range(Material& material, std::vector<std::string>& remarks)
       material.name, material.creep.empty() ? "its creep laws, of which it has none" : "its creep laws"));
 }
 
+void report_units(Material& material, std::vector<std::string>& remarks) {
+  const auto report = [&](std::string& units, const std::string& table) {
+    if (units.empty()) return;
+    remarks.push_back(
+        fmt::format("{}: its numbers are in the units '{}', but the key `units` of the model names none that "
+                    "are understood: they are used unchanged",
+                    table, units));
+    units.clear();
+  };
+  report(material.units, fmt::format("[materials.{}]", material.name));
+  for (CreepMechanism& mechanism : material.creep)
+    report(mechanism.units, fmt::format("[[materials.{}.creep]]", material.name));
+}
+
 /// Fields are written with the other results of their time.
 void complete_times(Config& config) {
   std::vector<double>& times = config.time.output;
@@ -96,6 +110,7 @@ void complete(Config& config, const Vocabulary& vocabulary) {
   for (Material& material : config.materials) {
     for (CreepMechanism& mechanism : material.creep) complete_law(mechanism, vocabulary.laws);
     translate_data_range(material, config.remarks);
+    report_units(material, config.remarks);
   }
   for (Contact& contact : config.contacts)
     if (contact.name.empty()) contact.name = default_name(contact);

@@ -13,6 +13,7 @@
 #include "creepcontact/base/suggestion.hpp"
 #include "creepcontact/base/unit_system.hpp"
 #include "library_files.hpp"
+#include "material_units.hpp"
 #include "toml_document.hpp"
 #include "unit_conversion.hpp"
 
@@ -20,64 +21,6 @@ namespace creepcontact::config {
 namespace {
 
 namespace fs = std::filesystem;
-
-using Dimensions = std::vector<std::pair<std::string, UnitPowers>>;
-
-const Dimensions& property_dimensions() {
-  static const Dimensions all{{"young_modulus", unit::stress},
-                              {"poisson_ratio", unit::none},
-                              {"thermal_expansion", unit::per_degree},
-                              {"reference_temperature", unit::temperature}};
-  return all;
-}
-/// `parameter` is a temperature times a logarithm; `time_unit` is the unit of the model in that of the data.
-const Dimensions& rupture_dimensions() {
-  static const Dimensions all{{"rupture_time", unit::time},
-                              {"stress", unit::stress},
-                              {"parameter", unit::degree},
-                              {"absolute_zero", unit::temperature},
-                              {"time_unit", unit::per_time}};
-  return all;
-}
-const Dimensions& fatigue_dimensions() {
-  static const Dimensions all{{"cycles_to_failure", unit::none}};
-  return all;
-}
-const Dimensions& range_dimensions() {
-  static const Dimensions all{
-      {"stress_range", unit::stress}, {"temperature_range", unit::temperature}, {"time_range", unit::time}};
-  return all;
-}
-
-void convert(toml::table& table, const Dimensions& dimensions, const UnitConversion& units) {
-  for (const auto& [key, dimension] : dimensions) units.replace(table, key, dimension);
-}
-
-/// The constants of a creep law, those that are not given with their defaults.
-void convert_law(toml::table& block, const Law& law, const UnitConversion& units) {
-  toml::array constants;
-  for (const LawKey& key : law.keys) {
-    if (const toml::node* given = block.get(key.name)) {
-      constants.push_back(*given);
-    } else if (!key.list && !key.fallback.empty() && key.fallback.front().is_constant()) {
-      constants.push_back(key.fallback.front()({}));
-    } else {
-      constants.push_back(toml::array{});
-    }
-  }
-  const auto value = [&](std::size_t place) { return constants.get(place); };
-  for (std::size_t i = 0; i < law.keys.size(); ++i) {
-    const LawKey& key = law.keys[i];
-    if (!key.words.empty()) continue;
-    if (block.contains(key.name)) {
-      units.replace(block, key.name, key.dimension, value);
-    } else if (const auto old = constants.get(i)->value<double>()) {
-      toml::array box;
-      units.append(*constants.get(i), key.dimension, value, box);
-      if (box.get(0)->value<double>() != old) block.insert_or_assign(key.name, std::move(*box.get(0)));
-    }
-  }
-}
 
 /// Returns the steps of a path "creep[0].A": creep, 0, A.
 std::vector<std::string> steps_of(const std::string& path) {
@@ -115,8 +58,13 @@ class LibraryUse {
     const std::size_t expected = use.node->is_array() ? use.node->as_array()->size() : 1;
     if (names.size() != expected || names.empty())
       fail(use.location, fmt::format("{}; allowed: {}", describe(*use.node), type));
-    else
-      for (const auto& [name, where] : names) take(name, where);
+    std::vector<std::string> taken;
+    if (names.size() == expected)
+      for (const auto& [name, where] : names) {
+        take(name, where);
+        taken.push_back(name);
+      }
+    require_elastic_constants(taken);
     if (const toml::node* own = material_.get("override")) {
       if (own->is_table()) override_values();
       material_.erase("override");
@@ -130,7 +78,9 @@ class LibraryUse {
   }
 
   static constexpr const char* type =
-      "\"steel/variant\" of the material library (see `creepcontact list materials`), or a list of them";
+      "\"steel/variant\" of the material library (see `creepcontact list materials`), \"file.toml/material\", or a "
+      "list of "
+      "them";
 
  private:
   void fail(const Location& where, const std::string& message) {
@@ -141,11 +91,11 @@ class LibraryUse {
   /// The file of a steel, and what its name is for users; an empty path: there is none, which has been reported.
   fs::path file_of(const std::string& key, const Location& where) {
     const std::string suffix = ".toml";
+    if (key.ends_with(suffix)) return (context_.directory / key).lexically_normal();
     if (vocabulary_.materials.empty()) {
       fail(where, "this program has no material library");
       return {};
     }
-    if (key.ends_with(suffix)) return (context_.directory / key).lexically_normal();
     const std::vector<std::string> keys = library_keys(vocabulary_.materials);
     if (std::ranges::count(keys, key) > 0) return vocabulary_.materials / (key + suffix);
     std::string hint = did_you_mean(key, keys);
@@ -167,8 +117,9 @@ class LibraryUse {
     toml::table file;
     LibraryMaterial known;
     try {
-      known = read_library_file(path);
       file = parse_toml(read_text(path), path, [] { return std::vector<KeyInfo>(); });
+      if (file.contains("materials")) return take_material(file, path, name, variant, where);
+      known = read_library_file(path);
     } catch (const ConfigError& error) {
       return fail(where, error.what());
     }
@@ -179,30 +130,72 @@ class LibraryUse {
       return fail(where, fmt::format("{} has no variant '{}'{} (allowed: {})", key, variant,
                                      did_you_mean(variant, variants), fmt::join(variants, ", ")));
     }
-    UnitConversion units{UnitChange{}};
-    bool same_units = false;
-    try {
-      const UnitChange change = unit_change(unit_system(known.units), unit_system(units_));
-      same_units =
-          change.stress == 1 && change.time == 1 && change.length == 1 && change.degree == 1 && change.zero == 0;
-      units = UnitConversion(change);
-    } catch (const std::invalid_argument&) {
-      same_units = true;  // units that are wrong have been reported
-    }
+    const auto units = conversion(known.units, key, where);
+    if (!units) return;
     const bool is_first = std::exchange(first_, false);
     bool is_used = is_first;
-    if (is_first) take_properties(file, known, same_units ? nullptr : &units);
+    if (is_first) take_properties(file, known, *units);
     if (variant.empty()) {
       if (!is_used) fail(where, fmt::format("'{}' adds nothing to what comes before it", name));
       return;
     }
-    is_used |= take_blocks(*file["variants"][variant].as_table(), same_units ? nullptr : &units);
+    is_used |= take_blocks(*file["variants"][variant].as_table(), *units);
     if (!is_used)
       return fail(where, fmt::format("'{}' adds nothing: its blocks ({}) are given by what comes before it or next to "
                                      "`use`",
                                      name, contents(*found)));
     const LibrarySource& source = *known.source(found->source);
     add_source(name, source);
+  }
+
+  /// Takes all keys of [materials.<variant>] of another configuration, such as `fit` writes it.
+  void take_material(toml::table& file, const fs::path& path, const std::string& name, const std::string& variant,
+                     const Location& where) {
+    toml::table* materials = file["materials"].as_table();
+    std::vector<std::string> names;
+    if (materials != nullptr)
+      for (const auto& [known, node] : *materials)
+        if (node.is_table()) names.emplace_back(known.str());
+    if (std::ranges::count(names, variant) == 0)
+      return fail(where, fmt::format("'{}' has no material '{}'{} (allowed: {})", path.string(), variant,
+                                     did_you_mean(variant, names), fmt::join(names, ", ")));
+    toml::table& taken = *materials->get_as<toml::table>(variant);
+    if (taken.contains("use"))
+      return fail(where, fmt::format("'{}' takes its data by `use` itself: name what it uses", name));
+    if (const auto units = file["units"].value<std::string>()) taken.emplace("units", *units);
+    const Item item{&taken, {.file = path.string(), .line = 1, .column = 1, .key = "materials." + variant}};
+    apply_own_units(item, taken, units_, vocabulary_, context_.errors);
+    if (taken.contains("young_modulus") || taken.contains("orthotropic")) first_ = false;
+    bool is_used = false;
+    toml::array sources;
+    if (toml::node* given = taken.get("sources")) sources.push_back(std::move(*given));
+    taken.erase("sources");
+    for (auto&& [key, node] : taken) is_used |= material_.insert(key, std::move(node)).second;
+    if (!is_used) return fail(where, fmt::format("'{}' adds nothing to what comes before it or next to `use`", name));
+    add_source_text(fmt::format("{}{}", name, sources.empty() ? "" : ": " + joined(*sources.get(0))));
+  }
+
+  static std::string joined(const toml::node& texts) {
+    if (const auto one = texts.value<std::string>()) return *one;
+    std::vector<std::string> all;
+    if (const auto* list = texts.as_array())
+      for (const toml::node& one : *list) all.push_back(one.value<std::string>().value_or(""));
+    return fmt::format("{}", fmt::join(all, "; "));
+  }
+
+  /// Without a conversion if the units of the model are wrong, which has been reported.
+  std::optional<MaterialUnits> conversion(const std::string& from, const std::string& key, const Location& where) {
+    try {
+      unit_system(from);
+    } catch (const std::invalid_argument& error) {
+      fail(where, fmt::format("the units of {} are wrong: {}", key, error.what()));
+      return std::nullopt;
+    }
+    try {
+      return MaterialUnits(from, units_, vocabulary_);
+    } catch (const std::invalid_argument&) {
+      return MaterialUnits(from, from, vocabulary_);
+    }
   }
 
   static std::string contents(const LibraryVariant& variant) {
@@ -213,11 +206,11 @@ class LibraryUse {
     return fmt::format("{}", fmt::join(all, ", "));
   }
 
-  void take_properties(toml::table& file, const LibraryMaterial& known, const UnitConversion* units) {
+  void take_properties(toml::table& file, const LibraryMaterial& known, const MaterialUnits& units) {
     toml::table* properties = file["properties"].as_table();
-    if (units != nullptr) convert(*properties, property_dimensions(), *units);
+    units.convert_properties(*properties);
     std::map<std::string, std::vector<std::string>> by_source;
-    for (const auto& [key, dimension] : property_dimensions()) {
+    for (const std::string& key : converted_properties()) {
       toml::node* value = properties->get(key);
       const bool is_elastic = key == "young_modulus" || key == "poisson_ratio";
       if (value == nullptr || material_.contains(key) || (is_elastic && material_.contains("orthotropic"))) continue;
@@ -227,56 +220,54 @@ class LibraryUse {
     }
     for (const auto& [source, keys] : by_source)
       add_source(fmt::format("{} ({})", known.key, fmt::join(keys, ", ")), *known.source(source));
-    if (material_.contains("orthotropic")) return;
+  }
+
+  void require_elastic_constants(const std::vector<std::string>& names) {
+    if (failed_ || material_.contains("orthotropic")) return;
     for (const char* key : {"young_modulus", "poisson_ratio"}) {
       if (material_.contains(key)) continue;
       Location where = item_.location;
       where.key = join_key(where.key, key);
-      fail(where, fmt::format("missing: the library has none for {}, so give it next to `use`", known.key));
+      fail(where, fmt::format("missing: there is none in {}, so give it next to `use`", fmt::join(names, ", ")));
     }
   }
 
   /// Fatigue data without cycles would be a mistake in a configuration, but not in one that takes all of a variant.
   /// @returns true if the variant has one that was not there
-  bool take_blocks(toml::table& variant, const UnitConversion* units) {
+  bool take_blocks(toml::table& variant, const MaterialUnits& units) {
     bool taken = false;
     for (const char* key : {"creep", "rupture", "fatigue"}) {
       toml::node* block = variant.get(key);
       if (block == nullptr || material_.contains(key)) continue;
       taken = true;
-      if (std::string_view(key) == "fatigue" && !has_cycles_) continue;
-      if (std::string_view(key) == "creep")
-        for (toml::node& one : *block->as_array()) prepare_creep(*one.as_table(), variant, units);
-      else if (units != nullptr)
-        prepare(*block->as_table(), key, *units);
+      const std::string_view name = key;
+      if (name == "fatigue" && !has_cycles_) continue;
+      if (name == "rupture") units.convert_rupture(*block->as_table());
+      if (name == "fatigue") units.convert_fatigue(*block->as_table());
+      if (name == "creep")
+        for (toml::node& one : *block->as_array()) {
+          add_ranges(*one.as_table(), variant);
+          units.convert_creep(*one.as_table());
+        }
       material_.insert_or_assign(key, std::move(*block));
     }
     return taken;
   }
 
-  /// Gives a block the ranges of its variant, and converts it. @param units  null: it stays as it is
-  void prepare_creep(toml::table& block, const toml::table& variant, const UnitConversion* units) {
+  /// Gives a block the ranges of its variant.
+  static void add_ranges(toml::table& block, const toml::table& variant) {
     for (const auto& [from, to] :
          {std::pair("stress", "stress_range"), std::pair("T", "temperature_range"), std::pair("time", "time_range")})
       if (const toml::array* range = variant["data_range"][from].as_array(); range != nullptr && !block.contains(to))
         block.insert_or_assign(to, *range);
-    if (units == nullptr) return;
-    convert(block, range_dimensions(), *units);
-    const auto name = block["law"].value<std::string>();
-    const auto law = std::ranges::find(vocabulary_.laws, name.value_or(""), &Law::name);
-    if (law != vocabulary_.laws.end()) convert_law(block, *law, *units);
-  }
-
-  static void prepare(toml::table& block, std::string_view key, const UnitConversion& units) {
-    if (key == "fatigue") return convert(block, fatigue_dimensions(), units);
-    if (block.contains("stress")) {  // Larson-Miller data, with their defaults
-      block.emplace("absolute_zero", Rupture{}.absolute_zero);
-      block.emplace("time_unit", Rupture{}.time_unit);
-    }
-    convert(block, rupture_dimensions(), units);
   }
 
   void add_source(const std::string& what, const LibrarySource& source) {
+    add_source_text(fmt::format("{}: {}{}{} (status: {})", what, source.citation, source.where.empty() ? "" : "; ",
+                                source.where, source.status));
+  }
+
+  void add_source_text(const std::string& text) {
     toml::array all;
     if (const toml::node* given = material_.get("sources")) {
       if (const toml::array* list = given->as_array())
@@ -284,8 +275,7 @@ class LibraryUse {
       else
         all.push_back(*given);
     }
-    all.push_back(fmt::format("{}: {}{}{} (status: {})", what, source.citation, source.where.empty() ? "" : "; ",
-                              source.where, source.status));
+    all.push_back(text);
     material_.insert_or_assign("sources", std::move(all));
   }
 
@@ -347,6 +337,17 @@ std::string units_for_library(const toml::table& document, const Location& root,
   return *given;
 }
 
+/// The units of the model; empty if it has none that are understood.
+std::string known_units_of(const toml::table& document) {
+  const std::string text = document["units"].value<std::string>().value_or("");
+  try {
+    unit_system(text);
+    return text;
+  } catch (const std::invalid_argument&) {
+    return "";
+  }
+}
+
 }  // namespace
 
 void insert_library_data(toml::table& document, const std::string& file, const Vocabulary& vocabulary,
@@ -357,11 +358,14 @@ void insert_library_data(toml::table& document, const std::string& file, const V
   std::optional<std::string> units;
   for (auto&& [name, node] : *materials) {
     toml::table* material = node.as_table();
-    if (material == nullptr || !material->contains("use")) continue;
-    if (!units) units = units_for_library(document, root, context);
+    if (material == nullptr) continue;
     const Item item = Item{&document, root}.child("materials").child(name.str());
-    const bool has_cycles = static_cast<bool>(document["time"]["cycle"]);
-    LibraryUse(item, *material, *units, has_cycles, vocabulary, context).insert();
+    if (material->contains("use")) {
+      if (!units) units = units_for_library(document, root, context);
+      const bool has_cycles = static_cast<bool>(document["time"]["cycle"]);
+      LibraryUse(item, *material, *units, has_cycles, vocabulary, context).insert();
+    }
+    apply_own_units(item, *material, known_units_of(document), vocabulary, context.errors);
   }
 }
 
@@ -370,8 +374,8 @@ const char* library_use_type() {
 }
 
 std::vector<std::string> library_properties() {
-  std::vector<std::string> keys{"density"};
-  for (const auto& [key, dimension] : property_dimensions()) keys.push_back(key);
+  std::vector<std::string> keys = converted_properties();
+  keys.insert(keys.begin(), "density");
   return keys;
 }
 

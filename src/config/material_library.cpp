@@ -8,6 +8,7 @@
 #include <cctype>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/toml_string.hpp"
 #include "creepcontact/base/units.hpp"
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/config/writer.hpp"

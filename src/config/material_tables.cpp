@@ -80,6 +80,10 @@ std::optional<CreepParameter> read_parameter(const Item& item, const LawKey& key
 /// Keys of all laws.
 const std::vector<Field<CreepMechanism>>& common_keys() {
   static const std::vector<Field<CreepMechanism>> keys{
+      field<CreepMechanism>("units", &CreepMechanism::units, text(),
+                            "units of the constants and ranges of this block, such as \"MPa, h, degC\": they are "
+                            "converted to `units` of the model")
+          .otherwise("those of the model"),
       field<CreepMechanism>("stress_range", &CreepMechanism::stress_range, interval(number()),
                             "von Mises stresses for which the constants were determined; warns where the stress is "
                             "larger, or smaller everywhere")
@@ -361,6 +365,9 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
       field<Material>("override", &Material::overrides, overrides_table(),
                       "replaces single values that `use` takes, in the units of the model")
           .otherwise("none"),
+      field<Material>("units", &Material::units, text(),
+                      "units of the numbers of this material: they are converted to `units` of the model")
+          .otherwise("those of the model"),
       isotropic[0],
       isotropic[1],
       field<Material>("orthotropic", &Material::orthotropic, orthotropic_table(),

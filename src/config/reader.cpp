@@ -24,13 +24,14 @@ void require_no_study(const toml::table& document, const std::filesystem::path& 
                   file.string()));
 }
 
-/// True for what the data of the library depend on: units, time.cycle, materials.<name>.use and what is below
+/// True for what the data of materials depend on: units, time.cycle, materials.<name>.use and .units and what is below
 /// .override.
 bool selects_library_data(const std::string& override_text) {
   std::string key = override_text.substr(0, override_text.find('='));
   std::erase(key, ' ');
   if (key == "units" || key == "time.cycle") return true;
-  return key.starts_with("materials.") && (key.ends_with(".use") || key.find(".override") != std::string::npos);
+  return key.starts_with("materials.") &&
+         (key.ends_with(".use") || key.ends_with(".units") || key.find(".override") != std::string::npos);
 }
 
 }  // namespace

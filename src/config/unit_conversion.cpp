@@ -60,7 +60,7 @@ std::size_t end_of_number(const std::string& text, std::size_t at) {
 std::string UnitConversion::expression(const std::string& text) const {
   const auto old_value = [&](const std::string& name) {
     const auto scaled = [&](double by) { return by == 1 ? name : fmt::format("({}*{})", name, in_expression(1 / by)); };
-    if (name == "q") return scaled(change_.stress);
+    if (name == "q" || name == "U") return scaled(change_.stress);  // U: a strength
     if (name == "t") return scaled(change_.time);
     if (name != "T") return name;
     if (change_.degree == 1 && change_.zero == 0) return name;

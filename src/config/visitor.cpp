@@ -14,19 +14,6 @@ std::string toml_of(double number) {
   return text == "-0" ? "-0.0" : text;  // an integer has no sign of zero
 }
 
-std::string toml_string(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') {
-      result += fmt::format("\\u{:04X}", static_cast<unsigned char>(c));
-      continue;
-    }
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + '"';
-}
-
 std::string toml_of(const Function& function) {
   const std::string& text = function.text();
   if (text.starts_with('{')) return text;  // a table

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "creepcontact/base/function.hpp"
+#include "creepcontact/base/toml_string.hpp"
 #include "creepcontact/config/schema.hpp"
 #include "creepcontact/config/writer.hpp"
 

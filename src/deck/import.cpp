@@ -4,6 +4,7 @@
 
 #include "contact_adjustment.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/toml_string.hpp"
 #include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/io/msh/msh_writer.hpp"
 #include "draft.hpp"
@@ -123,7 +124,7 @@ Import make(Draft& draft) {
   Import result{std::move(draft.config), std::move(draft.comments), "", std::move(draft.temperatures), {}};
   std::string& heading = result.comments.above[""];
   heading = fmt::format("Made of {} by creepcontact import. The units are those of the deck.",
-                        config::toml_string(draft.name + ".inp"));
+                        toml_string(draft.name + ".inp"));
   for (const Note& note : draft.left_out) {
     result.left_out.push_back(fmt::format("{}*{}: {}", prefix(note.place), note.card, note.consequence));
     heading += "\nLeft out: " + result.left_out.back();

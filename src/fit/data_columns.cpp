@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include "creepcontact/base/error.hpp"
@@ -19,33 +21,95 @@ struct RoleName {
   const char* name;
   ColumnRole role;
 };
-// The first name of a role is the one in messages.
-constexpr std::array<RoleName, 21> role_names{{{"time", ColumnRole::time},
-                                               {"stress", ColumnRole::stress},
-                                               {"strain", ColumnRole::strain},
-                                               {"creep_strain", ColumnRole::creep_strain},
-                                               {"total_strain", ColumnRole::total_strain},
-                                               {"temperature", ColumnRole::temperature},
-                                               {"temp", ColumnRole::temperature},
-                                               {"test", ColumnRole::test},
-                                               {"test_name", ColumnRole::test},
-                                               {"specimen", ColumnRole::test},
-                                               {"kind", ColumnRole::kind},
-                                               {"rate", ColumnRole::rate},
-                                               {"creep_rate", ColumnRole::rate},
-                                               {"strain_rate", ColumnRole::rate},
-                                               {"minimum_creep_rate", ColumnRole::rate},
-                                               {"min_creep_rate", ColumnRole::rate},
-                                               {"secondary_creep_rate", ColumnRole::rate},
-                                               {"rupture", ColumnRole::rupture},
-                                               {"rupture_time", ColumnRole::rupture},
-                                               {"time_to_rupture", ColumnRole::rupture},
-                                               {"creep_rupture_time", ColumnRole::rupture}}};
+// The first name of a role is the one in messages. Without accents: "déformation" is "deformation".
+constexpr auto role_names = std::to_array<RoleName>({
+    {"time", ColumnRole::time},
+    {"stress", ColumnRole::stress},
+    {"strain", ColumnRole::strain},
+    {"creep_strain", ColumnRole::creep_strain},
+    {"total_strain", ColumnRole::total_strain},
+    {"temperature", ColumnRole::temperature},
+    {"temp", ColumnRole::temperature},
+    {"test", ColumnRole::test},
+    {"test_name", ColumnRole::test},
+    {"specimen", ColumnRole::test},
+    {"kind", ColumnRole::kind},
+    {"rate", ColumnRole::rate},
+    {"creep_rate", ColumnRole::rate},
+    {"strain_rate", ColumnRole::rate},
+    {"minimum_creep_rate", ColumnRole::rate},
+    {"min_creep_rate", ColumnRole::rate},
+    {"secondary_creep_rate", ColumnRole::rate},
+    {"rupture", ColumnRole::rupture},
+    {"rupture_time", ColumnRole::rupture},
+    {"time_to_rupture", ColumnRole::rupture},
+    {"creep_rupture_time", ColumnRole::rupture},
+});
+/// German and French.
+constexpr auto foreign_names = std::to_array<RoleName>({
+    {"zeit", ColumnRole::time},
+    {"spannung", ColumnRole::stress},
+    {"dehnung", ColumnRole::strain},
+    {"kriechdehnung", ColumnRole::creep_strain},
+    {"gesamtdehnung", ColumnRole::total_strain},
+    {"totaldehnung", ColumnRole::total_strain},
+    {"temperatur", ColumnRole::temperature},
+    {"probe", ColumnRole::test},
+    {"versuch", ColumnRole::test},
+    {"pruefling", ColumnRole::test},
+    {"versuchsart", ColumnRole::kind},
+    {"kriechrate", ColumnRole::rate},
+    {"kriechgeschwindigkeit", ColumnRole::rate},
+    {"minimale_kriechrate", ColumnRole::rate},
+    {"minimale_kriechgeschwindigkeit", ColumnRole::rate},
+    {"dehnrate", ColumnRole::rate},
+    {"bruchzeit", ColumnRole::rupture},
+    {"standzeit", ColumnRole::rupture},
+    {"beanspruchungsdauer_bis_zum_bruch", ColumnRole::rupture},
+    {"temps", ColumnRole::time},
+    {"duree", ColumnRole::time},
+    {"contrainte", ColumnRole::stress},
+    {"deformation", ColumnRole::strain},
+    {"deformation_de_fluage", ColumnRole::creep_strain},
+    {"deformation_totale", ColumnRole::total_strain},
+    {"essai", ColumnRole::test},
+    {"eprouvette", ColumnRole::test},
+    {"type_d'essai", ColumnRole::kind},
+    {"vitesse_de_fluage", ColumnRole::rate},
+    {"vitesse_minimale_de_fluage", ColumnRole::rate},
+    {"vitesse_de_deformation", ColumnRole::rate},
+    {"temps_a_rupture", ColumnRole::rupture},
+    {"temps_a_la_rupture", ColumnRole::rupture},
+    {"duree_de_vie", ColumnRole::rupture},
+});
 
 std::optional<ColumnRole> role_of(const std::string& name) {
-  for (const RoleName& known : role_names)
-    if (name == known.name) return known.role;
+  for (const std::span<const RoleName> language :
+       {std::span<const RoleName>(role_names), std::span<const RoleName>(foreign_names)})
+    for (const RoleName& known : language)
+      if (name == known.name) return known.role;
   return std::nullopt;
+}
+
+/// "Prüfling" -> "Pruefling", "Déformation" -> "Deformation"
+std::string without_accents(std::string text) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 13> letters{{{"ä", "ae"},
+                                                                                   {"ö", "oe"},
+                                                                                   {"ü", "ue"},
+                                                                                   {"Ü", "Ue"},
+                                                                                   {"ß", "ss"},
+                                                                                   {"é", "e"},
+                                                                                   {"É", "E"},
+                                                                                   {"è", "e"},
+                                                                                   {"ê", "e"},
+                                                                                   {"à", "a"},
+                                                                                   {"À", "A"},
+                                                                                   {"ç", "c"},
+                                                                                   {"’", "'"}}};
+  for (const auto& [accented, plain] : letters)
+    for (std::size_t at = text.find(accented); at != std::string::npos; at = text.find(accented, at))
+      text.replace(at, accented.size(), plain);
+  return text;
 }
 
 std::string trimmed(const std::string& text) {
@@ -55,7 +119,7 @@ std::string trimmed(const std::string& text) {
 
 /// "Creep strain" -> "creep_strain"
 std::string plain(const std::string& text) {
-  std::string name = trimmed(text);
+  std::string name = without_accents(trimmed(text));
   for (char& c : name) c = c == ' ' || c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return name;
 }
@@ -64,7 +128,7 @@ struct Heading {
   std::string name, unit;
 };
 
-/// "time [h]", "time (h)", "time / h", "time_h"
+/// "time [h]", "time (h)", "time / h", "time_h", "Zeit in h"
 Heading heading_of(const std::string& cell) {
   for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
     const std::size_t begin = cell.find(open), end = cell.rfind(close);
@@ -72,8 +136,14 @@ Heading heading_of(const std::string& cell) {
       return {plain(cell.substr(0, begin)), trimmed(cell.substr(begin + 1, end - begin - 1))};
   }
   if (role_of(plain(cell))) return {plain(cell), ""};
-  for (std::size_t at = cell.find_first_of(" _/"); at != std::string::npos; at = cell.find_first_of(" _/", at + 1))
-    if (role_of(plain(cell.substr(0, at)))) return {plain(cell.substr(0, at)), trimmed(cell.substr(at + 1))};
+  // The longest name counts: "rupture time h"
+  for (std::size_t at = cell.size(); at > 0 && (at = cell.find_last_of(" _/", at - 1)) != std::string::npos;) {
+    if (!role_of(plain(cell.substr(0, at)))) continue;
+    std::string unit = trimmed(cell.substr(at + 1));
+    for (const std::string_view word : {"in ", "en "})
+      if (unit.starts_with(word)) unit.erase(0, word.size());
+    return {plain(cell.substr(0, at)), unit};
+  }
   return {plain(cell), ""};
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "creepcontact/base/one_line.hpp"
+#include "creepcontact/base/toml_string.hpp"
 
 namespace creepcontact::fit {
 namespace {
@@ -55,6 +56,14 @@ std::string units_line(const TestUnits& units) {
   if (!units.time.empty()) words.push_back("time " + units.time);
   if (!units.temperature.empty()) words.push_back("temperature " + units.temperature);
   return words.empty() ? "those of the data, which name none" : fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// What lets a model convert the numbers; empty if the data do not name the units of stress and time.
+std::string units_key(const TestUnits& units) {
+  if (units.stress.empty() || units.time.empty()) return "";
+  return fmt::format("units = {}\n",
+                     toml_string(fmt::format("{}, {}{}{}", units.stress, units.time,
+                                             units.temperature.empty() ? "" : ", ", units.temperature)));
 }
 
 }  // namespace
@@ -123,9 +132,12 @@ std::string material_block(const TestData& data, const LawChoice& choice, const 
                               : options.young_modulus->is_constant()
                                   ? fmt::format("{}", (*options.young_modulus)({}))
                                   : fmt::format("\"{}\"", options.young_modulus->text());
-  text += fmt::format("{0}[materials.{1}]\n{0}young_modulus = {2}\n{0}poisson_ratio = {3}   # not fitted\n\n", comment,
-                      name, modulus, options.poisson_ratio);
-  text += fmt::format("[[materials.{}.creep]]\nlaw = \"{}\"\n", name, choice.info->name);
+  const std::string units = units_key(data.units);
+  text += fmt::format("{0}[materials.{1}]\n{2}{0}young_modulus = {3}\n{0}poisson_ratio = {4}   # not fitted\n", comment,
+                      name, elastic ? units : "", modulus, options.poisson_ratio);
+  if (elastic)
+    text += fmt::format("sources = {}\n", toml_string(fmt::format("fitted to {}: {}", data.file, basis(data, result))));
+  text += fmt::format("\n[[materials.{}.creep]]\nlaw = \"{}\"\n{}", name, choice.info->name, units);
   for (const FittedParameter& parameter : result.parameters)
     text += fmt::format("{} = {:.8g}   # {}\n", parameter.key, parameter.value,
                         parameter.at_bound

@@ -131,6 +131,26 @@ class Fit(Says, unittest.TestCase):
                                cwd=self.directory)
         self.assertSays(check.stdout + check.stderr, "t = 10000", "10 times", "time_range", "(10 .. 1000)")
 
+    def test_the_file_is_taken_by_use_and_converted(self):
+        data = "Zeit [h];Spannung [MPa];Kriechdehnung [%]\n" + "".join(
+            f"{t};{s};{1e-14 * s**5 * t * f:.6g}\n" for s in (50, 100, 150) for t, f in ((10, 1.02), (100, 0.97), (1000, 1.01)))
+        (self.directory / "block.geo").write_text(GEO, encoding="utf-8")
+        for options, use in (((), '["steel.toml/fitted", "grade_91"]'), (("--young-modulus", "1.6e5"), '"steel.toml/fitted"')):
+            done = self.fit(data, "--law", "norton", "--output", "steel.toml", *options)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            fitted = tomllib.loads((self.directory / "steel.toml").read_text(encoding="utf-8"))["materials"]["fitted"]["creep"][0]
+            text = RUN.replace("[time]", f"[materials.steel]\nuse = {use}\nreference_temperature = 823.15\n[temperature]\nvalue = 823.15\n[time]").replace(
+                "traction = [0, 0, 300]", "traction = [0, 0, 1e8]").replace("1e-3", "3.6e6")
+            probe = '[[probes]]\nname = "creep"\nquantity = "creep_strain_equivalent"\nbody = "block"\nreduce = "mean"\n'
+            (self.directory / "run.toml").write_text('units = "m, N, Pa, s, K"\n' + text + probe, encoding="utf-8")
+            run = subprocess.run([PROGRAM, "run", "run.toml", "-o", "out"], capture_output=True, text=True, timeout=LONGEST,
+                                 cwd=self.directory)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            summary = json.loads((self.directory / "out/summary.json").read_text(encoding="utf-8"))
+            expected = fitted["A"] * 100**fitted["n"] * 1000
+            self.assertAlmostEqual(summary["probes"]["creep"]["end"] / expected, 1, delta=0.25)  # the bottom is held sideways
+            self.assertIn("steel.toml/fitted", json.dumps(summary))
+
     def constants(self, output):
         """Value and interval of each fitted constant."""
         return {words[0]: (float(words[1]), float(words[2]), float(words[4])) for line in output.split("correlation")[0].splitlines()

@@ -84,6 +84,7 @@ struct CreepMechanism {
   bool depends_on_temperature = false;  ///< as reported by the law
   /// Where the data hold from which the constants come; not given: not known.
   std::optional<Interval> stress_range = {}, temperature_range = {}, time_range = {};
+  std::string units = {};  ///< as Material::units
 };
 
 enum class StressMeasure { von_mises, principal, mixed };
@@ -144,8 +145,9 @@ struct Material {
   /// Names in the material library: the reader replaces them by the data, so that these are empty afterwards.
   std::vector<std::string> use;
   std::optional<LibraryOverrides> overrides;
-  Function young_modulus;                        ///< of T; not with `orthotropic`
-  Function poisson_ratio;                        ///< of T; not with `orthotropic`
+  std::string units;       ///< of the numbers, which the reader converts: left only if the model names no units
+  Function young_modulus;  ///< of T; not with `orthotropic`
+  Function poisson_ratio;  ///< of T; not with `orthotropic`
   std::optional<Orthotropic> orthotropic;        ///< elasticity
   std::optional<Hill> hill;                      ///< of all creep laws
   std::vector<Function> thermal_expansion{0.0};  ///< secant, of T: one, or three along the material axes

@@ -24,9 +24,6 @@ struct Comments {
   std::map<std::string, std::string> above;   ///< lines of their own; of an empty key: at the top of the file
 };
 
-/// A string in quotation marks.
-std::string toml_string(const std::string& text);
-
 /// Text of which the reader makes an equal configuration. Keys that have their defaults are left out, unless they have
 /// a comment. Paths are relative to the directory of Config::file. What only the command line sets
 /// (Mesh::trust_geometry) is not in it.

@@ -8,6 +8,7 @@
 
 #include "../file_text.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/utf8.hpp"
 #include "csv_text.hpp"
 
 namespace creepcontact::io {
@@ -26,6 +27,30 @@ std::optional<char> likely_thousands(const std::string& cell) {
     if (const auto number = without_thousands(cell, *thousands_named({&sign, 1})); number && plain_number(*number))
       return sign;
   return std::nullopt;
+}
+
+/// UTF-8 of a character of ISO 8859-1.
+std::string latin1_character(char c) {
+  const auto code = static_cast<unsigned char>(c);
+  if (code < 0xA0U) return "?";
+  return {static_cast<char>(0xC0U | (code >> 6U)), static_cast<char>(0x80U | (code & 0x3FU))};
+}
+
+/// Excel's "CSV" has the code page of the machine, in which a degree sign is not a character of UTF-8.
+void require_utf8(std::string_view text, const std::string& name) {
+  const auto refuse = [&](const std::string& found) {
+    throw ConfigError(fmt::format("{}: {}; save the file as UTF-8 (in spreadsheets: \"CSV UTF-8\")", name, found));
+  };
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) refuse("the encoding is UTF-16");
+  int line = 1;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = utf8_length(text.substr(at));
+    if (length == 0)
+      refuse(fmt::format("byte 0x{:02X} in line {} is not a character of UTF-8 (in Latin-1 it is '{}')",
+                         static_cast<unsigned char>(text[at]), line, latin1_character(text[at])));
+    if (text[at] == '\n') ++line;
+    at += length;
+  }
 }
 
 }  // namespace
@@ -113,6 +138,7 @@ CsvTable parse_csv_table(std::string_view text, const std::string& name, Unended
 }
 
 CsvCells parse_csv_cells(std::string_view text, const std::string& name) {
+  require_utf8(text, name);
   CsvLines lines(text);
   CsvCells table;
   std::string_view line;

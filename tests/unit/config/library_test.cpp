@@ -261,6 +261,79 @@ TEST_F(OfLibrary, FilesOfTheUsersOwnAreTakenToo) {
   EXPECT_EQ(constant(config.materials[0], 1), 7.0);
 }
 
+// As `fit` writes them: with the units of the tests in the block, or in the material if it has elastic constants too.
+TEST_F(OfLibrary, MaterialsOfOtherConfigurationsAreTaken) {
+  const std::string block = R"([[materials.fitted.creep]]
+law = "norton"
+units = "MPa, h, degC"
+A = 1e-20
+n = 7
+stress_range = [50, 200]
+)";
+  const auto fitted = [&](const std::string& text, const std::string& use, const std::string& units = "m, Pa, s, K") {
+    std::ofstream(directory_ / "fit.toml") << text;
+    std::string model = minimal;
+    model.replace(model.find("young_modulus = 2e5\npoisson_ratio = 0.3"), 39, use);
+    return parse("units = \"" + units + "\"\n" + model, directory_ / "block.toml", words_).materials[0];
+  };
+  const double in_pascal = 1e-20 * std::pow(1e-6, 7) / 3600;
+  const Material two = fitted(block, "use = [\"fit.toml/fitted\", \"steel_9\"]");
+  EXPECT_NEAR(constant(two, 0) / in_pascal, 1, 1e-12);
+  EXPECT_DOUBLE_EQ(two.creep[0].stress_range->high, 2e8);
+  EXPECT_DOUBLE_EQ(two.young_modulus({.T = 873.15}), 1.5e11);
+  EXPECT_EQ(two.sources.front(), "fit.toml/fitted");
+  EXPECT_TRUE(two.units.empty() && two.creep[0].units.empty());
+
+  std::string whole =
+      "[materials.fitted]\nunits = \"MPa, h\"\nyoung_modulus = 1.6e5\npoisson_ratio = 0.3\n"
+      "sources = \"test 7\"\n" +
+      block;
+  whole.erase(whole.find("units = \"MPa, h, degC\"\n"), 23);
+  const Material all = fitted(whole, "use = \"fit.toml/fitted\"\npoisson_ratio = 0.25");
+  EXPECT_NEAR(constant(all, 0) / in_pascal, 1, 1e-12);
+  EXPECT_DOUBLE_EQ(all.young_modulus({}), 1.6e11);
+  EXPECT_EQ(all.poisson_ratio({}), 0.25);
+  EXPECT_EQ(all.sources.front(), "fit.toml/fitted: test 7");
+  EXPECT_DOUBLE_EQ(fitted(whole, "use = \"fit.toml/fitted\"", "mm, N, h").young_modulus({}), 1.6e5);
+
+  const auto refused = [&](const std::string& text, const std::string& use) {
+    return test::message_of<ConfigError>([&] { fitted(text, use); });
+  };
+  EXPECT_TRUE(test::says(refused(block, "use = \"fit.toml/fitted\""), {"young_modulus: missing", "next to `use`"}));
+  EXPECT_TRUE(test::says(refused(block, "use = \"fit.toml/fittet\""), {"fit.toml", "'fittet'", "'fitted'"}));
+  EXPECT_TRUE(test::says(refused(whole, "use = [\"steel_9/norton\", \"fit.toml/fitted\"]\nsources = \"1\""),
+                         {"'fit.toml/fitted' adds nothing"}));
+  EXPECT_TRUE(test::says(refused("[materials.fitted]\nuse = \"steel_9\"\n", "use = \"fit.toml/fitted\""),
+                         {"fit.toml/fitted", "by `use` itself"}));
+  whole.replace(whole.find("MPa, h"), 6, "MPa, weeks");
+  EXPECT_TRUE(test::says(refused(whole, "use = \"fit.toml/fitted\""), {"fit.toml", "fitted.units", "'weeks'"}));
+}
+
+TEST_F(OfLibrary, UnitsOfAMaterialAreConverted) {
+  const std::string keys = "units = \"GPa, s\"\nthermal_expansion = 1e-5\nreference_temperature = 20\n";
+  const std::string elastic = "young_modulus = 200\npoisson_ratio = 0.3\n";
+  const std::string law = "[[materials.steel.creep]]\nlaw = \"norton\"\nA = 1\nn = 2\n";
+  const Material material = read(keys + elastic + law + "units = \"MPa, h\"\n").materials[0];
+  EXPECT_DOUBLE_EQ(material.young_modulus({}), 2e5);
+  EXPECT_DOUBLE_EQ(constant(material, 0), 1.0);
+  EXPECT_NEAR(constant(read(keys + elastic + law).materials[0], 0), 3600e-6, 1e-15);
+  const Material orthotropic =
+      read(keys + law +
+           "[materials.steel.orthotropic]\nyoung_moduli = [1, 2, 3]\npoisson_ratios = [0, 0, 0]\n"
+           "shear_moduli = [1, \"2 + T/100\", 3]\n")
+          .materials[0];
+  EXPECT_DOUBLE_EQ(orthotropic.orthotropic->young_moduli[1]({}), 2000);
+  EXPECT_DOUBLE_EQ(orthotropic.orthotropic->shear_moduli[1]({.T = 100}), 3000);
+
+  for (const char* units : {"", "whatever"}) {
+    const Config unknown = read(keys + elastic + law, units);
+    EXPECT_EQ(unknown.materials[0].young_modulus({}), 200) << "the model has no units that are understood";
+    ASSERT_EQ(unknown.remarks.size(), 1u);
+    EXPECT_TRUE(test::says(unknown.remarks[0], {"materials.steel", "GPa, s", "units"}));
+  }
+  EXPECT_TRUE(test::says(refusal("units = \"GPa, weeks\"\n" + elastic + law), {"materials.steel.units", "'weeks'"}));
+}
+
 TEST_F(OfLibrary, FilesNeedSourcesAndChecks) {
   for (const char* const needed : {"citation", "where", "copies", "status", "licence", "title", "notes", "name"}) {
     std::string text = '\n' + library_head + library_variants;

@@ -42,6 +42,36 @@ TEST(TestData, TestsAreToldApartByStressTemperatureAndStart) {
   EXPECT_EQ(data.range().time.high, 2);
 }
 
+TEST(TestData, ColumnsMayHaveGermanAndFrenchNames) {
+  const TestData german = parsed(
+      "Prüfling;Zeit in h;Spannung [N/mm²];Kriechdehnung [%];Temperatur [°C];Bruchzeit / h\n"
+      "A;1,5;100;0,1;550;200\nA;10;100;0,2;550;200\n");
+  ASSERT_EQ(german.tests.size(), 2U);
+  EXPECT_EQ(german.tests[1].name, "A");
+  EXPECT_DOUBLE_EQ(german.tests[1].readings.at(1).value, 2e-3);
+  EXPECT_EQ(german.tests[0].kind, TestKind::rupture);
+  EXPECT_DOUBLE_EQ(german.tests[0].readings.at(0).value, 200);
+  EXPECT_EQ(german.units.temperature, "°C");
+
+  const TestData french = parsed(
+      "Éprouvette;temps (h);contrainte (MPa);déformation de fluage (%)\nB;2;80;0,3\n"
+      "B;20;80;0,5\n");
+  EXPECT_EQ(french.tests.at(0).name, "B");
+  EXPECT_DOUBLE_EQ(french.tests[0].readings.at(0).value, 3e-3);
+  EXPECT_DOUBLE_EQ(parsed("temps à rupture en h;contrainte en MPa\n300;80\n").tests.at(0).readings.at(0).value, 300);
+  EXPECT_EQ(parsed("rupture time h,stress MPa\n300,80\n").units.time, "h");
+}
+
+TEST(TestData, AnotherEncodingIsNamed) {
+  EXPECT_TRUE(says(refusal("time [h],stress [MPa],strain [%],temperature [\xB0"
+                           "C]\n1,100,0.1,500\n"),
+                   {"data.csv: ", "0xB0", "line 1", "'°'", "UTF-8"}));
+  EXPECT_TRUE(says(refusal("time,stress,strain,test\n1,100,0.1,Pr\xFC"
+                           "f\n"),
+                   {"line 2", "'ü'", "UTF-8"}));
+  EXPECT_TRUE(says(refusal("\xFF\xFEt\0i\0"), {"UTF-16", "UTF-8"}));
+}
+
 // 1.000 in a file with 0,010 is a thousand, or the file has two decimal signs: which, only its author knows.
 TEST(TestData, PointsInAFileWithDecimalCommasAreRefused) {
   const std::string office = "time [h];stress [MPa];strain [-]\n100;100;0,001\n1.000;100;0,010\n10.000;100;0,1\n";
