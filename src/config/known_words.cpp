@@ -77,8 +77,8 @@ constexpr std::array words{
     KnownWord{"materials.<name>", "law a n m norton",
               "a creep law has its own table, [[materials.<name>.creep]] with 'law' and its constants"},
     KnownWord{"materials.<name>", "source reference references", "where the data come from is said by 'sources'"},
-    KnownWord{"materials.<name>", "yield yield_stress plastic plasticity",
-              "plasticity that depends on the rate, with hardening, is the law 'chaboche' in creep"},
+    KnownWord{"materials.<name>", "yield yield_stress plastic hardening",
+              "yielding is [materials.<name>.plasticity]; the law 'chaboche' in creep depends on the rate"},
     KnownWord{"materials.<name>", "conductivity specific_heat",
               "not in this version: temperatures are given, not computed"},
     KnownWord{"materials.<name>.creep[]", "type model name", "the name of the creep law is 'law'"},
@@ -113,7 +113,8 @@ constexpr std::array words{
     KnownWord{"materials.<name>.creep[].law=", "mcvetty soderberg_law",
               "primary creep that ends exponentially is 'soderberg'"},
     KnownWord{"materials.<name>.creep[].law=", "plastic viscoplastic visc_cin1_chab visc_cin2_chab viscochab",
-              "viscoplasticity with hardening is 'chaboche'"},
+              "viscoplasticity with hardening is 'chaboche'; what does not depend on the rate is "
+              "[materials.<name>.plasticity]"},
 
     // supports, loads, temperature
     KnownWord{"supports[]", "surface group set nodes face", "the surface, curve or point that is supported is 'on'"},

@@ -385,6 +385,15 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
       field<Material>("creep", &Material::creep, tables(mechanism_table(vocabulary.laws)),
                       "creep laws that act together: their rates are added")
           .otherwise("elastic"),
+      field<Material>("plasticity", &Material::plasticity, plasticity_table(),
+                      "yielding that does not depend on the rate (von Mises)"),
+      field<Material>(
+          "yield_strength", &Material::yield_strength, function(T, greater(0)),
+          "what `check --start`, the table at the end and the report compare the von Mises stress with; does "
+          "not make the material plastic")
+          .otherwise("not compared")
+          .in("stress")
+          .changeable(),
       field<Material>("rupture", &Material::rupture, rupture_table(vocabulary),
                       "time to rupture at constant stress, for the fraction of life used up"),
       field<Material>("data_range", &Material::data_range, data_range_table(),
@@ -399,6 +408,15 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
   });
   return converted<Material>(keys, [isotropic](Material material, const Item& item, Context& context) {
     material.location = item.location;
+    if (material.plasticity) {
+      const Location& at = material.plasticity->location;
+      if (material.orthotropic)
+        context.errors.add(at, "with 'orthotropic' elasticity", "plasticity of materials with isotropic elasticity");
+      for (const CreepMechanism& mechanism : material.creep)
+        if (mechanism.law == "chaboche")
+          context.errors.add(at, "next to the law 'chaboche', which has a yield stress of its own",
+                             "one of the two: plasticity does not depend on the rate, chaboche does");
+    }
     if (!material.orthotropic) {
       std::vector<KeyInfo> needed{isotropic[0].info, isotropic[1].info};
       for (KeyInfo& key : needed) key.required = true;

@@ -121,11 +121,31 @@ void MaterialUnits::convert_fatigue(toml::table& block) const {
   if (!same_) convert(block, fatigue_dimensions(), conversion_);
 }
 
+void MaterialUnits::convert_plasticity(toml::table& plasticity) const {
+  for (const char* key : {"yield_stress", "hardening_modulus"}) conversion_.replace(plasticity, key, unit::stress);
+  const auto convert_each = [&](const char* key, std::initializer_list<std::pair<const char*, UnitPowers>> dimensions) {
+    const auto convert_one = [&](toml::node& node) {
+      if (toml::table* one = node.as_table())
+        for (const auto& [name, dimension] : dimensions) conversion_.replace(*one, name, dimension);
+    };
+    toml::node* node = plasticity.get(key);
+    if (node == nullptr) return;
+    if (toml::array* list = node->as_array())
+      for (toml::node& one : *list) convert_one(one);
+    else
+      convert_one(*node);
+  };
+  convert_each("curve", {{"T", unit::temperature}, {"stress", unit::stress}});
+  convert_each("kinematic", {{"C", unit::stress}});
+}
+
 void MaterialUnits::convert_material(toml::table& material) const {
   if (same_) return;
   convert_properties(material);
   if (toml::table* elastic = material["orthotropic"].as_table())
     convert(*elastic, orthotropic_dimensions(), conversion_);
+  conversion_.replace(material, "yield_strength", unit::stress);
+  if (toml::table* plasticity = material["plasticity"].as_table()) convert_plasticity(*plasticity);
   if (toml::table* range = material["data_range"].as_table()) convert(*range, data_range_dimensions(), conversion_);
   if (toml::table* rupture = material["rupture"].as_table()) convert_rupture(*rupture);
   if (toml::table* fatigue = material["fatigue"].as_table()) convert_fatigue(*fatigue);

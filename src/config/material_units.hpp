@@ -24,6 +24,7 @@ class MaterialUnits {
   void convert_creep(toml::table& block) const;
   void convert_rupture(toml::table& block) const;
   void convert_fatigue(toml::table& block) const;
+  void convert_plasticity(toml::table& block) const;
   /// All of it, creep blocks with units of their own excepted.
   void convert_material(toml::table& material) const;
 

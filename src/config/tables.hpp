@@ -18,6 +18,7 @@ void describe_parameter(const LawKey& key, CreepParameter& parameter);
 Value<DataRange> data_range_table();
 Value<Rupture> rupture_table(const Vocabulary& vocabulary);
 Value<Fatigue> fatigue_table(const Vocabulary& vocabulary);
+Value<Plasticity> plasticity_table();
 Value<Support> support_table();
 Value<Load> load_table();
 Value<Temperature> temperature_table();

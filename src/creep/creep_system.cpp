@@ -17,8 +17,10 @@ namespace {
 constexpr double same_gamma = 1.25;
 /// Part of the strain of the tolerance at which hardening begins to count.
 constexpr double min_share = 0.3;
-constexpr double near_accepted = 0.1;  // of the tolerance: an evaluation so near represents an accepted point
-constexpr double same_value = 1e-9;    // of equal values at points that symmetry makes equal
+constexpr double near_accepted = 0.1;            // of the tolerance: an evaluation so near represents an accepted point
+constexpr double max_flow_change = 0.1;          // of the stress in a step, relative to the yield stress
+const std::string flow_step_name = "flow_step";  // in memories
+constexpr double same_value = 1e-9;              // of equal values at points that symmetry makes equal
 constexpr double min_sliding_step =
     1e-6;  // relative to the time: a body that slides off in so short a step does slide off
 
@@ -75,6 +77,7 @@ void CreepSystem::begin_segment(double begin, double end) {
   segment_begin_ = begin;
   segment_end_ = end;
   yield_steps_.begin_segment();
+  flow_step_.reset();
 }
 
 double CreepSystem::load_time(double t) const {
@@ -86,7 +89,8 @@ void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
   into.time = t;
   numerics::copy(y, into.y);
   laws_.layout().views(into.y, views_);
-  const bool is_within_last_step = has_friction() && t < history_.friction.time;
+  const bool is_within_last_step =
+      (has_friction() && t < history_.friction.time) || (history_.plastic.flows && t < history_.plastic.time);
   try {
     if (is_within_last_step)
       path_.solve(solver_, t, views_, into.equilibrium);
@@ -339,8 +343,27 @@ bool CreepSystem::is_near(double t, std::span<const double> y, const Evaluation&
   return team().max(largest) <= near_accepted * tolerance_;
 }
 
-double CreepSystem::longest_step(double t) const {
-  const double for_yielding = yield_steps_.longest(t, segment_end_);
+double CreepSystem::longest_step_of_flow(double t, std::span<const double> y) {
+  if (!has_yielding() || !std::isfinite(segment_end_)) return std::numeric_limits<double>::infinity();
+  if (!flow_step_) {
+    std::vector<mechanics::CreepStrainView> views;
+    laws_.layout().views(y, views);
+    double excursion = std::numeric_limits<double>::infinity();
+    try {
+      excursion = solver_.yielding_excursion(load_time(segment_end_), views, history_);
+    } catch (const SolverError&) {  // the step will tell
+      excursion = 1;
+    } catch (const ModelError&) {
+      excursion = 1;
+    }
+    flow_step_ =
+        excursion > 0 ? (segment_end_ - t) * max_flow_change / excursion : std::numeric_limits<double>::infinity();
+  }
+  return *flow_step_;
+}
+
+double CreepSystem::longest_step(double t, std::span<const double> y) {
+  const double for_yielding = std::min(yield_steps_.longest(t, segment_end_), longest_step_of_flow(t, y));
   return std::isfinite(segment_end_) ? std::min(for_yielding, longest_step_of_friction(t, segment_end_)) : for_yielding;
 }
 
@@ -353,7 +376,7 @@ void CreepSystem::apply_preloads(double t, std::span<const double> y) {
 }
 
 void CreepSystem::accept(double t, std::span<const double> y) {
-  if (has_friction()) {
+  if (has_friction() || step_.equilibrium.plastic.flows) {
     if (!is_near(load_time(t), y, step_)) evaluate_step(t, y);
     History before = history_;
     const double begin = std::max(0.0, segment_begin_);
@@ -370,10 +393,16 @@ void CreepSystem::accept(double t, std::span<const double> y) {
   if (path_.has_substeps()) forget_evaluations();  // the state is that of the end of the path
 }
 
+void CreepSystem::accept_jump(double t, std::span<const double> y) {
+  if (!has_friction() && !has_yielding()) return;
+  if (has_friction() || evaluate_step(t, y).equilibrium.plastic.flows) accept(t, y);
+}
+
 void CreepSystem::save(Memory& memory) const {
   solver_.save(history_, memory);
   scale_.save(memory);
   yield_steps_.save(memory);
+  memory.save(flow_step_name, flow_step_);
 }
 
 void CreepSystem::restore(const Memory& memory) {
@@ -383,6 +412,7 @@ void CreepSystem::restore(const Memory& memory) {
 }
 
 void CreepSystem::resume(double t, std::span<const double> y, const Memory& memory) {
+  memory.restore(flow_step_name, flow_step_);
   if (yield_steps_.is_needed()) yield_steps_.resume(evaluate_step(t, y).equilibrium, memory);
 }
 

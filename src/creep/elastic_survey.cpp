@@ -59,6 +59,7 @@ class Survey {
     const bool has_preloads = std::ranges::any_of(solver_.assembly().pairs(),
                                                   [](const contact::Pair& pair) { return pair.preload.has_value(); });
     history_ = has_preloads ? solver_.initial_history() : solver_.new_history();
+    history_.plastic = {};
     for (const double t : times) {
       try {
         if (solver_.has_preload_due(t, history_)) solver_.apply_preloads(t, t, no_creep_, history_);
@@ -71,6 +72,7 @@ class Survey {
         if (history_.friction.slip.size() == 0) throw;
         if (t != times.front()) continue;
         history_ = solver_.initial_history();
+        history_.plastic = {};
         solver_.solve(t, no_creep_, history_, equilibrium_);
       }
       const std::vector<double> stress = ErrorScale::typical(solver_.assembly(), equilibrium_);

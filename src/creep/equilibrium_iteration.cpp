@@ -9,6 +9,7 @@
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
 #include "creepcontact/numerics/point_sums.hpp"
+#include "plastic_flow.hpp"
 #include "slip_advance.hpp"
 #include "stiffness_change.hpp"
 #include "vector_views.hpp"
@@ -85,30 +86,62 @@ void EquilibriumSolver::refactorize(const std::vector<mechanics::BodyConditions>
 void EquilibriumSolver::solve(double t, CreepStrains creep, const History& history, Equilibrium& into) {
   into.time = t;
   assembly_.update(t, into.conditions);
+  resize(into);
+  equilibrate_yielding(creep, history, 1, into);
+  if (history.friction.slip.size() > 0) into.friction = slip_until(into, history);
+}
+
+double EquilibriumSolver::yielding_excursion(double t, CreepStrains creep, const History& history) {
+  if (history.plastic.bodies.empty()) return 0;
+  Equilibrium at;
+  at.time = t;
+  assembly_.update(t, at.conditions);
+  resize(at);
+  PlasticFlow flow(assembly_, history.plastic, t, at.conditions, options_.plastic_tolerance, false);
+  equilibrate(flow.strains(creep), history, history.contact, 1, at);
+  return flow.excursion(at);
+}
+
+void EquilibriumSolver::resize(Equilibrium& into) const {
   into.bodies.resize(work_.size());
   for (std::size_t b = 0; b < work_.size(); ++b) {
     const mechanics::Body& body = assembly_.bodies()[b];
     into.bodies[b].displacement.resize(3 * body.mesh().nodes.size());
     into.bodies[b].stress.resize(6 * body.discretization().n_points());
   }
+}
+
+void EquilibriumSolver::equilibrate_yielding(CreepStrains creep, const History& history, double part,
+                                             Equilibrium& into) {
+  if (history.plastic.bodies.empty()) return equilibrate(creep, history, history.contact, part, into);
+  PlasticFlow flow(assembly_, history.plastic, into.time, into.conditions, options_.plastic_tolerance);
+  contact::ContactState from = history.contact;
+  for (bool done = false; !done; from = into.contact) {
+    equilibrate(flow.strains(creep), history, from, part, into);
+    const auto lap = watch_.lap(Part::material);
+    done = flow.advance(into);
+  }
+}
+
+void EquilibriumSolver::equilibrate(CreepStrains creep, const History& history, const contact::ContactState& from,
+                                    double part, Equilibrium& into) {
   StiffnessChange change = stiffness_change(assembly_, interface_, into.conditions);
   if (change.rest > options_.refactor_change) {
     refactorize(into.conditions);
     change = {};
   }
-  if (!iterate(creep, history, change.solved_with(solver_error_), into)) {
+  if (!iterate(creep, history, from, part, change.solved_with(solver_error_), into)) {
     refactorize(into.conditions);
-    iterate(creep, history, StiffnessChange().solved_with(solver_error_), into);
+    iterate(creep, history, from, part, StiffnessChange().solved_with(solver_error_), into);
   }
-  if (history.friction.slip.size() > 0) into.friction = slip_until(into, history);
 }
 
-bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, const StiffnessChange& stiffness,
-                                Equilibrium& into) {
+bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, const contact::ContactState& begin,
+                                double part, const StiffnessChange& stiffness, Equilibrium& into) {
   into.stiffness_scale = stiffness.scale;
   into.factors = factors_;
-  const contact::InterfaceLoad given = start(creep, history, stiffness, into);
-  contact::ContactState from = history.contact;
+  const contact::InterfaceLoad given = start(creep, history, part, stiffness, into);
+  contact::ContactState from = begin;
   from.multiplier /= stiffness.scale;
   if (stiffness_changes_) from.image.resize(0);  // of other factors, perhaps
   const double contraction = stiffness.rest / (1 - stiffness.rest);
@@ -133,10 +166,10 @@ bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, cons
   return true;
 }
 
-contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const History& history,
+contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const History& history, double part,
                                                 const StiffnessChange& stiffness, Equilibrium& into) {
   const auto lap = watch_.lap(Part::material);
-  contact::InterfaceLoad given = interface_.rows().initial_load(into.time, into.conditions);
+  contact::InterfaceLoad given = interface_.rows().initial_load(into.conditions.front().time, into.conditions);
   for (std::size_t b = 0; b < work_.size(); ++b) {
     const mechanics::Body& body = assembly_.bodies()[b];
     body.right_hand_side(into.conditions[b], creep[b], work_[b].right_hand_side);
@@ -145,6 +178,11 @@ contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const Histor
   }
   for (Eigen::VectorXd* of_motions : {&given.work, &given.force})
     assembly_.team().sum({of_motions->data(), static_cast<std::size_t>(of_motions->size())});
+  if (part != 1) {
+    given.gap += (1 - part) * interface_.rows().unloaded_gap();
+    for (const contact::Pair& pair : assembly_.pairs())
+      given.gap.segment(pair.first_row, pair.coupling.n_rows()) -= (1 - part) * pair.initial_gap(given.time);
+  }
   if (history.friction.slip.size() > 0) {
     given.gap -= slip_advance_->reference({history.contact, history.friction}, into.time);
     given.friction.direction = history.friction.direction;

@@ -10,6 +10,7 @@
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
 #include "friction_follower.hpp"
+#include "plastic_flow.hpp"
 #include "slip_advance.hpp"
 #include "stiffness_change.hpp"
 
@@ -27,6 +28,16 @@ struct SolverState {
       std::tuple{Member{"factor_times", &SolverState::factor_times}, Member{"factors", &SolverState::factors},
                  Member{"sweeps_given_up", &SolverState::sweeps_given_up}};
 };
+
+/// These conditions with a part of their loads, prescribed displacements and thermal strains.
+std::vector<mechanics::BodyConditions> part_of(const std::vector<mechanics::BodyConditions>& full, double part) {
+  std::vector<mechanics::BodyConditions> result = full;
+  for (mechanics::BodyConditions& at : result)
+    for (std::vector<double>* values :
+         {&at.external, &at.prescribed, &at.known, &at.thermal_strain, &at.thermal_tensors})
+      for (double& value : *values) value *= part;
+  return result;
+}
 
 }  // namespace
 
@@ -165,6 +176,24 @@ History EquilibriumSolver::new_history() const {
 }
 
 History EquilibriumSolver::initial_history(int substeps) {
+  History history = initial_elastic_history(substeps);
+  history.plastic = virgin_plastic_history(assembly_);
+  if (history.plastic.bodies.empty()) return history;
+  Equilibrium at;
+  assembly_.update(0, at.conditions);
+  resize(at);
+  const std::vector<mechanics::CreepStrainView> no_creep(work_.size());
+  PlasticFlow flow(assembly_, history.plastic, 0, at.conditions, options_.plastic_tolerance);
+  equilibrate(flow.strains(no_creep), history, history.contact, 1, at);
+  const bool is_elastic = flow.advance(at);
+  if (!is_elastic)
+    history = initial_yielding_history(substeps);
+  else
+    history.plastic = at.plastic;
+  return history;
+}
+
+History EquilibriumSolver::initial_elastic_history(int substeps) {
   History history = new_history();
   const bool has_friction = interface_.problem().has_friction();
   const std::vector<std::size_t> preloads = preloads_due(0, history);
@@ -174,7 +203,7 @@ History EquilibriumSolver::initial_history(int substeps) {
   if (stiffness_change(assembly_, interface_, at.conditions).rest > 0) refactorize(at.conditions);
   const std::vector<mechanics::CreepStrainView> no_creep(work_.size());
   // All of it is linear in the loads: one pass serves all substeps.
-  contact::InterfaceLoad full = start(no_creep, history, StiffnessChange(), at);
+  contact::InterfaceLoad full = start(no_creep, history, 1, StiffnessChange(), at);
   forward();
   add_traces(full.gap);
   const Eigen::VectorXd unloaded = interface_.rows().unloaded_gap();
@@ -224,6 +253,56 @@ History EquilibriumSolver::initial_history(int substeps) {
   return history;
 }
 
+History EquilibriumSolver::initial_yielding_history(int substeps) {
+  History history = new_history();
+  history.plastic = virgin_plastic_history(assembly_);
+  const bool has_friction = interface_.problem().has_friction();
+  const std::vector<std::size_t> preloads = preloads_due(0, history);
+  const std::vector<mechanics::BodyConditions> full = assembly_.at(0);
+  const std::vector<mechanics::CreepStrainView> no_creep(work_.size());
+  Equilibrium at;
+  resize(at);
+  const double longest = 1.0 / substeps, shortest = longest / 64;
+  double reached = 0, step = longest;
+  while (reached < 1) {
+    const double part = reached + step > 1 - 1e-9 ? 1 : reached + step;
+    at.time = part;  // for rates
+    at.conditions = part_of(full, part);
+    const auto solve = [&](const History& trial) -> const Equilibrium& {
+      equilibrate_yielding(no_creep, trial, part, at);
+      return at;
+    };
+    try {
+      if (preloads.empty())
+        solve(history);
+      else
+        find_interference(preloads, part, history, solve);
+      if (has_friction) history.friction = slip_until(at, history);
+    } catch (const SolverError&) {
+      step /= 2;
+      if (step < shortest) throw;
+      continue;
+    } catch (const contact::SlidingOff&) {
+      step /= 2;
+      if (step < shortest) throw;
+      continue;
+    }
+    history.contact = at.contact;
+    history.plastic = at.plastic;
+    reached = part;
+    step = std::min(2 * step, longest);
+  }
+  if (has_friction) {
+    history.friction.time = 0;
+    history.friction.rate.setZero();
+    history.friction.is_fresh = true;
+  }
+  history.plastic.time = 0;
+  for (PlasticState& body : history.plastic.bodies) body.rate.clear();
+  history.preloaded_until = 0;
+  return history;
+}
+
 SlipHistory EquilibriumSolver::slip_until(const Equilibrium& at, const History& history) const {
   const PathPoint from{history.contact, history.friction};
   return slip_advance_->advanced(from, at.time, slip_advance_->reference(from, at.time), at.contact, at.gaps);
@@ -243,6 +322,7 @@ std::vector<PathPoint> EquilibriumSolver::accept(const Equilibrium& at, History&
     row = next;
   }
   history.friction = path.empty() ? at.friction : path.back().friction;
+  if (!history.plastic.bodies.empty()) history.plastic = at.plastic;
   history.contact = contact;
   if (!iterates()) return path;
   std::vector<History::Accepted>& accepted = history.accepted;

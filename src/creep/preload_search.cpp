@@ -11,7 +11,6 @@
 namespace creepcontact::creep {
 namespace {
 
-constexpr double tolerance = 1e-9;     // of the force
 constexpr double loosely_held = 1e-6;  // of the stiffness with all rows closed: the contact is open, or gives way
 constexpr double not_held = 1e-9;      // of the stiffness of a single row
 constexpr double overshoot = 0.9;      // of the first slope
@@ -102,6 +101,7 @@ Eigen::VectorXd PreloadSearch::find(Eigen::VectorXd interference) const {
     of_single_row[p] = std::abs(gap.dot(change(all_closed, gap)));
   }
   double growth = 1;
+  Eigen::MatrixXd broyden;  // empty: not needed, or not known yet
   for (int iteration = 0;; ++iteration) {
     const Eigen::VectorXd missing = forces - present;
     Index worst = 0;
@@ -112,7 +112,7 @@ Eigen::VectorXd PreloadSearch::find(Eigen::VectorXd interference) const {
     const double far = largest_interference * forces[worst] / stiffest[worst];
     if (iteration == max_iterations || !(std::abs(interference[worst]) < far))
       failure.raise(worst, missing[worst], closed_stiffness);
-    const Eigen::MatrixXd tangent = stiffness(state);
+    const Eigen::MatrixXd tangent = broyden.size() > 0 ? broyden : stiffness(state);
     const bool is_loose = (tangent.diagonal().array() < loosely_held * stiffest.array()).any();
     growth = is_loose ? 2 * growth : 1;
     const Eigen::VectorXd step =
@@ -128,6 +128,10 @@ Eigen::VectorXd PreloadSearch::find(Eigen::VectorXd interference) const {
       }
       const Eigen::VectorXd reached = forces_of(state);
       if (slope > 0 && (forces - reached).dot(step) < -overshoot * slope) continue;
+      if (is_yielding) {
+        const Eigen::VectorXd done = length * step, change_of_force = reached - present;
+        broyden = tangent + (change_of_force - tangent * done) * done.transpose() / done.squaredNorm();
+      }
       interference += length * step;
       present = reached;
       failure.saw(present);

@@ -1,6 +1,8 @@
 #pragma once
 /// Interferences that give contacts prescribed normal forces. Without friction the forces are the gradient of a convex,
 /// piecewise quadratic function of the interferences, and Newton's method with a line search finds them from anywhere.
+/// Where bodies yield the elastic stiffness is too large, and Broyden's update corrects it from step to step (C. G.
+/// Broyden, Math. Comput. 19 (1965) 577); of one preload this is the secant.
 
 #include <Eigen/Core>
 #include <functional>
@@ -21,7 +23,9 @@ struct PreloadSearch {
   std::function<Eigen::VectorXd(const contact::ContactState& at, const Eigen::VectorXd& gap)> change;
   /// The state with all movable rows of all contacts closed: the stiffest answer to an interference.
   std::function<contact::ContactState(const contact::ContactState& at)> closed;
-  double time = 0;  ///< for messages
+  double time = 0;           ///< for messages
+  bool is_yielding = false;  ///< `change` is elastic, but `solve` may yield
+  double tolerance = 1e-9;   ///< of the forces
 
   /// @param interference  n, to start from @returns n interferences; `solve` was called with them last
   /// @throws ModelError naming the contact and its largest force if a force cannot be reached

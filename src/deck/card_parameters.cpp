@@ -99,6 +99,9 @@ std::map<std::string, List> lists() {
   of["POTENTIAL"] = of_table();
   of["DENSITY"] = of_table();
   of["CREEP"] = taken({"LAW"}) + of_table() + one_of("TIME", {"TOTAL", "CREEP"});
+  of["PLASTIC"] = taken({"NUMBER BACKSTRESSES"}) + of_table() +
+                  one_of("HARDENING", {"ISOTROPIC", "KINEMATIC", "COMBINED"}) + one_of("DATA TYPE", {"PARAMETERS"}) +
+                  refused({"RATE", "SCALESTRESS"}, "rates and scales of the yield stress are not known");
   of["PHYSICAL CONSTANTS"] =
       taken({"ABSOLUTE ZERO"}) + ignored({"STEFAN BOLTZMANN", "NEWTON GRAVITY", "UNIVERSAL GAS CONSTANT"});
   of["ORIENTATION"] = taken({"NAME", "SYSTEM", "DEFINITION"}) + ignored({"LOCAL DIRECTIONS"});

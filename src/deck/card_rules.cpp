@@ -47,6 +47,7 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     read("ORIENTATION", &DeckReader::orientation);
     read("DENSITY", &DeckReader::density);
     read("CREEP", &DeckReader::creep);
+    read("PLASTIC", &DeckReader::plastic);
     read("PHYSICAL CONSTANTS", &DeckReader::physical_constants);
     read("AMPLITUDE", &DeckReader::amplitude);
     read("STEP", &DeckReader::step);
@@ -145,9 +146,9 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     add(Kind::impossible, "springs, dashpots, masses and gap elements are not known",
         {"SPRING", "DASHPOT", "DASHPOTA", "MASS", "GAP", "ROTARY INERTIA", "CONNECTOR SECTION"});
     add(Kind::impossible,
-        "rate-independent plasticity is not known; the law 'chaboche' with n of 20 and more comes close to it "
-        "(docs/coming_from.md)",
-        {"PLASTIC", "CYCLIC HARDENING"});
+        "isotropic hardening next to the back stresses of HARDENING=COMBINED is not known; the laws of "
+        "[materials.<name>.plasticity] have both",
+        {"CYCLIC HARDENING"});
     add(Kind::impossible, "this kind of plasticity is not known",
         {"DEFORMATION PLASTICITY", "DRUCKER PRAGER", "MOHR COULOMB", "CONCRETE"});
     add(Kind::impossible, "large elastic strains are not known", {"HYPERELASTIC", "HYPERFOAM", "HYPO ELASTIC"});

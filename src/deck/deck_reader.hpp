@@ -62,6 +62,7 @@ class DeckReader {
   void orientation(const Card& card);
   void density(const Card& card);
   void creep(const Card& card);
+  void plastic(const Card& card);
   void physical_constants(const Card& card);
   void amplitude(const Card& card);
   // Steps

@@ -160,6 +160,25 @@ void DeckReader::creep(const Card& card) {
   table(&Material::creep, card, 2, 6);
 }
 
+void DeckReader::plastic(const Card& card) {
+  constexpr std::size_t of_line = 8;
+  if (material_ != nullptr) {
+    if (const std::string& given = card.value("HARDENING"); !given.empty()) material_->hardening = upper_case(given);
+    if (const std::string& given = card.value("NUMBERBACKSTRESSES"); !given.empty()) {
+      const std::optional<double> n = number(given);
+      if (!n || !(*n >= 1) || *n > 10)
+        return mistake(card.place, fmt::format("NUMBER BACKSTRESSES: '{}' is not a number from 1 to 10", given));
+      material_->back_stresses = static_cast<std::size_t>(*n);
+    }
+    if (material_->hardening == "COMBINED" && letters_of(card.value("DATATYPE")) != "PARAMETERS")
+      return mistake(card.place, "HARDENING=COMBINED without DATA TYPE=PARAMETERS (half cycles, stabilised cycles)");
+    if (material_->hardening == "COMBINED" && 1 + 2 * material_->back_stresses > of_line)
+      return table_of_long_rows(&Material::plastic, card, 1 + 2 * material_->back_stresses);
+  }
+  const bool is_combined = material_ != nullptr && material_->hardening == "COMBINED";
+  table(&Material::plastic, card, is_combined ? 1 + 2 * material_->back_stresses : 2, of_line);
+}
+
 void DeckReader::physical_constants(const Card& card) {
   if (const std::string& given = card.value("ABSOLUTEZERO"); !given.empty()) {
     const std::optional<double> zero = number(given);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "anisotropy_tables.hpp"
+#include "plasticity_tables.hpp"
 
 namespace creepcontact::deck {
 namespace {
@@ -184,6 +185,12 @@ class CreepMaker {
   std::string comment_;
 };
 
+bool depends_on_temperature_by_yielding(const config::Material& made) {
+  return made.plasticity &&
+         (made.plasticity->curve.size() > 1 ||
+          (made.plasticity->yield_stress && made.plasticity->yield_stress->depends_on_temperature()));
+}
+
 void make_material(Draft& draft, const Material& material, config::Material& made) {
   made.name = material.name;
   draft.comment("materials." + made.name, material.place.text());
@@ -203,8 +210,10 @@ void make_material(Draft& draft, const Material& material, config::Material& mad
   } else {
     make_orthotropic(draft, material, made);
   }
-  draft.varies = draft.varies || material.elastic->rows.size() > 1;
+  make_plasticity(draft, material, made);
+  draft.varies = draft.varies || material.elastic->rows.size() > 1 || depends_on_temperature_by_yielding(made);
   const bool depends_on_temperature =
+      depends_on_temperature_by_yielding(made) ||
       std::ranges::any_of(std::array{&material.elastic, &material.expansion, &material.creep},
                           [](const std::optional<Table>* table) { return *table && (*table)->rows.size() > 1; });
   if (depends_on_temperature && !draft.loading.initial_temperatures.empty())

@@ -52,6 +52,7 @@ creep::SolverOptions solver_options(const config::Config& config, const Bodies& 
   const bool sweeps = options.use_schwarz && options.schwarz.acceleration != settings::Acceleration::cg;
   if (sweeps) options.friction = settings::FrictionMethod::tresca;
   options.initial_substeps = config.contact_solver.initial_substeps;
+  options.plastic_tolerance = 0.01 * config.time.tolerance;
   options.dense_limit_mb = config.contact_solver.dense_limit_mb;
   if (config.temperature) options.refactor_change = config.temperature->refactor_change;
   return options;

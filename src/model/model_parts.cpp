@@ -44,6 +44,17 @@ std::shared_ptr<const material::RuptureData> rupture_data(const config::Rupture&
                                                       .time_unit = from.time_unit});
 }
 
+std::shared_ptr<const material::Plasticity> make_plasticity(const config::Plasticity& from) {
+  std::vector<material::BackStress> back;
+  for (const config::KinematicHardening& one : from.kinematic) back.push_back({one.C, one.gamma});
+  if (from.curve.empty())
+    return std::make_shared<material::Plasticity>(*from.yield_stress, from.hardening_modulus, std::move(back));
+  std::vector<material::YieldCurve> curves;
+  for (const config::PlasticCurve& curve : from.curve)
+    curves.push_back({curve.T.value_or(0), curve.plastic_strain, curve.stress});
+  return std::make_shared<material::Plasticity>(std::move(curves), std::move(back));
+}
+
 material::Material make_material(const config::Material& from) {
   material::Material result;
   result.name = from.name;
@@ -72,6 +83,8 @@ material::Material make_material(const config::Material& from) {
     for (const config::CreepParameter& parameter : mechanism.parameters) values[parameter.key] = parameter.values;
     result.creep.push_back(material::find_creep_law(mechanism.law)->make_by_key(values));
   }
+  result.yield_strength = from.yield_strength;
+  if (from.plasticity) result.plasticity = make_plasticity(*from.plasticity);
   const auto life = from.rupture ? make_life_fraction(*from.rupture) : nullptr;
   if (from.fatigue)
     result.creep.push_back(make_creep_fatigue(*from.fatigue, life));

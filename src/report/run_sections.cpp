@@ -159,9 +159,11 @@ void add_answer(const RunData& run, Html& page, const std::string& level) {
     for (const std::string& sentence : all) page.element("li", sentence);
     page.close("ul");
   }
-  Rows forces, stresses;
+  Rows forces, stresses, shares;
   for (const auto& [name, contact] : summary.contacts) forces.push_back(course_row(name, contact.normal_force));
   for (const auto& [name, body] : summary.bodies) stresses.push_back(course_row(name, body.von_mises));
+  for (const auto& [name, body] : summary.bodies)
+    if (body.yield_share) shares.push_back(course_row(name, *body.yield_share));
   const std::string last = fmt::format("t = {}", with_unit(last_time(summary), unit(Dimension::time, run)));
   const std::string end = summary.ended_early() ? last : "end";
   const std::vector<std::string> course{"start", "largest", end, end + " / largest"};
@@ -174,6 +176,7 @@ void add_answer(const RunData& run, Html& page, const std::string& level) {
     page.table(head("contact"), forces, label("Normal forces of the modelled part", unit(Dimension::force, run)));
   if (!stresses.empty())
     page.table(head("body"), stresses, label("Largest von Mises stress in each body", unit(Dimension::stress, run)));
+  if (!shares.empty()) page.table(head("body"), shares, "Largest von Mises stress / yield strength at its temperature");
   Rows probes;
   for (const auto& [name, probe] : summary.probes)
     if (probe.course) {

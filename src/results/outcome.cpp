@@ -51,12 +51,26 @@ io::Summary::Course rounded(io::Summary::Course course, double rounding) {
 
 }  // namespace
 
+std::optional<double> largest_yield_share(const mechanics::Body& body, const mechanics::BodyConditions& at,
+                                          const std::vector<double>& stress) {
+  const std::optional<Function>& strength = body.material().yield_strength;
+  if (!strength) return std::nullopt;
+  const bool varies = strength->depends_on_temperature() && !at.temperature.empty();
+  const double uniform = (*strength)({.T = body.material().reference_temperature});
+  double largest = 0;
+  for (std::size_t p = 0; 6 * p < stress.size(); ++p)
+    largest = std::max(largest, tensor::von_mises(tensor::view(stress, p)) /
+                                    (varies ? (*strength)({.T = at.temperature[p]}) : uniform));
+  return largest;
+}
+
 Outcome::Outcome(const creep::Assembly& assembly)
     : assembly_(assembly),
       forces_(assembly.pairs().size()),
       widths_(assembly.pairs().size(), {0, 0, 0}),
       openings_(assembly.pairs().size(), {never, never, 0}),
       stresses_(assembly.bodies().size()),
+      shares_(assembly.bodies().size()),
       dissipated_(assembly.pairs().size(), never),
       slip_(assembly.pairs().size(), never),
       interference_(assembly.pairs().size(), never),
@@ -71,8 +85,13 @@ StepValues Outcome::values(const creep::Assembly& assembly, double time, const c
   values.time = time;
   for (const contact::Pair& pair : assembly.pairs())
     values.forces.push_back(has_normal_force(pair) ? normal_force(pair, at.contact.multiplier) : 0);
-  for (const creep::BodyState& body : at.bodies) values.von_mises.push_back(largest_von_mises(body.stress));
+  for (std::size_t b = 0; b < at.bodies.size(); ++b) {
+    values.von_mises.push_back(largest_von_mises(at.bodies[b].stress));
+    values.yield_share.push_back(
+        largest_yield_share(assembly.bodies()[b], at.conditions[b], at.bodies[b].stress).value_or(0));
+  }
   team.max(values.von_mises);
+  team.max(values.yield_share);
   return values;
 }
 
@@ -154,6 +173,7 @@ void Outcome::output(double time, const creep::Equilibrium& at) {
   }
   observe_contacts(time, at);
   for (std::size_t b = 0; b < stresses_.size(); ++b) results::output(time, now.von_mises[b], is_first, stresses_[b]);
+  for (std::size_t b = 0; b < shares_.size(); ++b) results::output(time, now.yield_share[b], is_first, shares_[b]);
 }
 
 void Outcome::observe(const StepValues& now) {
@@ -164,6 +184,7 @@ void Outcome::observe(const StepValues& now) {
     follow(now.time, p, now.forces[p]);
   }
   for (std::size_t b = 0; b < stresses_.size(); ++b) enlarge(now.time, now.von_mises[b], stresses_[b]);
+  for (std::size_t b = 0; b < shares_.size(); ++b) enlarge(now.time, now.yield_share[b], shares_[b]);
 }
 
 void Outcome::warn_of_open_contacts() const {
@@ -184,6 +205,9 @@ void Outcome::fill(io::Summary& summary, std::optional<double> cycle) const {
   for (std::size_t b = 0; b < stresses_.size(); ++b)
     summary.bodies[assembly_.bodies()[b].name()].von_mises =
         rounded(stresses_[b], std::max(min_relative_stress * largest, round_off_strain * moduli_[b]));
+  for (std::size_t b = 0; b < shares_.size(); ++b)
+    if (const mechanics::Body& body = assembly_.bodies()[b]; body.material().yield_strength)
+      summary.bodies[body.name()].yield_share = shares_[b];
   for (std::size_t p = 0; p < forces_.size(); ++p) {
     const contact::Pair& pair = assembly_.pairs()[p];
     if (!has_normal_force(pair)) continue;

@@ -79,6 +79,9 @@ BodyFields::BodyFields(const mechanics::Body& body, const mechanics::BodyConditi
     total += elastic.elastic_strain(p, tensor_at(at_points(stress), p));
     total += elastic.thermal(p);
   }
+  for (const PointState& variable : variables_)
+    if (variable.variable == &material::plastic_strain)
+      for (std::size_t i = 0; i < variable.values.size(); ++i) at_points(strain)[i] += variable.values[i];
   at_points(temperature) = conditions.temperature;
   at_points(temperature).resize(n_points(), body.material().reference_temperature);
   if (variables_.empty()) return;

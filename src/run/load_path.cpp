@@ -18,8 +18,8 @@ void LoadPath::initialize(double t, std::span<const double> /*y*/, double /*step
 
 ode::StepReport LoadPath::step(double t_limit) {
   const double begin = time_;
-  if (system_.has_friction()) {
-    follow_slip(t_limit);
+  if (system_.depends_on_path()) {
+    follow_path(t_limit);
   } else {
     time_ = t_limit;
     const bool is_end = t_limit >= outputs_.back();  // the end of the run is an output time, and nothing follows it
@@ -29,21 +29,22 @@ ode::StepReport LoadPath::step(double t_limit) {
 }
 
 void LoadPath::accept_output() {
-  if (system_.has_friction() || time_ <= accepted_ || !std::ranges::binary_search(outputs_, time_)) return;
+  if (system_.depends_on_path() || time_ <= accepted_ || !std::ranges::binary_search(outputs_, time_)) return;
   system_.evaluate_step(time_, {});
   system_.accept(time_, {});
   accepted_ = time_;
 }
 
-void LoadPath::follow_slip(double t_limit) {
+void LoadPath::follow_path(double t_limit) {
   if (t_limit != target_) length_ = t_limit - time_;
   target_ = t_limit;
   while (true) {
     length_ = std::min(length_, system_.longest_step_of_friction(time_, target_));
     const double to = length_ < target_ - time_ ? time_ + length_ : target_;
     try {
+      system_.evaluate_step(to, {});
       system_.accept(to, {});
-    } catch (const RecoverableError&) {  // loads that friction cannot hold in one step, or not at all
+    } catch (const RecoverableError&) {  // loads that cannot be carried in one step, or not at all
       length_ = (to - time_) / 2;
       if (!(length_ > min_relative_step * target_)) throw;
       continue;

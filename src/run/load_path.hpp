@@ -1,5 +1,6 @@
 #pragma once
-/// The integrator of models in which nothing creeps: it has no state, but follows the path of friction.
+/// The integrator of models in which nothing creeps: it has no state, but follows the paths of friction and of
+/// plastic flow.
 
 #include <limits>
 
@@ -8,8 +9,8 @@
 
 namespace creepcontact::run {
 
-/// With friction a step accepts the equilibrium at its end, and is as long as the path of the slip allows. Without, the
-/// states have nothing to do with each other: a step ends where it may and costs nothing but at output times, whose
+/// With friction or plasticity a step accepts the equilibrium at its end, and is as long as the path allows. Without,
+/// the states have nothing to do with each other: a step ends where it may and costs nothing but at output times, whose
 /// states are accepted because the next contact iterations start from them.
 class LoadPath final : public ode::Integrator {
  public:
@@ -33,17 +34,17 @@ class LoadPath final : public ode::Integrator {
 
  private:
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  void follow_slip(double t_limit);
-  /// Without friction: accepts the present state if it is that of an output time.
+  void follow_path(double t_limit);
+  /// Without a path: accepts the present state if it is that of an output time.
   void accept_output();
 
   creep::CreepSystem& system_;
   const std::vector<double>& outputs_;
   const std::vector<double>& breakpoints_;
   double time_ = 0;
-  double target_ = none;  // time that the steps with friction lead to
+  double target_ = none;  // time that the steps along a path lead to
   double length_ = 0;     // of the next one of them, if nothing else bounds it
-  double accepted_ = 0;   // last output time accepted, without friction
+  double accepted_ = 0;   // last output time accepted, without a path
   static constexpr auto saved_members =
       std::tuple{Member{"target", &LoadPath::target_}, Member{"length", &LoadPath::length_},
                  Member{"accepted", &LoadPath::accepted_}};

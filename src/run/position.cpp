@@ -81,7 +81,7 @@ void Position::pass_breakpoint(const ObserverList& observers, bool is_changed) {
   schedule_.go_to(state_.time);
   begin_segment();  // a result at a jump is that after it
   system.apply_preloads(state_.time, state_.y);
-  if (system.has_friction()) system.accept(state_.time, state_.y);  // slip in the jump
+  system.accept_jump(state_.time, state_.y);
   if (is_changed || !is_at_end() || integrator_->jumps_with_loads()) initialize();
 }
 

@@ -39,6 +39,16 @@ void require_condensed_contact(const config::Config& config, const contact::Cond
                   config.file.string(), interface.dense_bytes() / 1e6, config.contact_solver.dense_limit_mb));
 }
 
+void require_one_process_for_yielding(const config::Config& config, const Team& team) {
+  if (team.size() == 1) return;
+  for (const config::Material& material : config.materials)
+    if (material.plasticity)
+      throw ConfigError(
+          fmt::format("{}: materials.{}.plasticity: creepcontact-mpi has it on one process only; start it as "
+                      "one process, or use creepcontact with threads",
+                      config.file.string(), material.name));
+}
+
 /// Where contact depends on its path, the elastic response of the bodies is used without an iteration that would
 /// correct it.
 creep::SolverOptions with_multigrid(const config::Config& config, creep::SolverOptions options,
@@ -106,6 +116,7 @@ creep::EquilibriumSolver make_solver(const config::Config& config, const model::
 creep::CreepSystem make_system(const config::Config& config, const model::Model& model,
                                creep::EquilibriumSolver& solver, Stopwatch& watch) {
   require_condensed_contact(config, solver.interface(), solver.assembly().team());
+  require_one_process_for_yielding(config, solver.assembly().team());
   return creep::CreepSystem(solver,
                             creep::survey_elastic_stress(solver, config.time.output, model.distinct_breakpoints()),
                             config.time.tolerance, watch);

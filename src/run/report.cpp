@@ -84,6 +84,8 @@ std::string outcome_table(const io::Summary& summary) {
     text += row(fmt::format("normal force of contact '{}'", name), contact.normal_force);
   for (const auto& [name, body] : summary.bodies)
     text += row(fmt::format("von Mises stress of body '{}'", name), body.von_mises);
+  for (const auto& [name, body] : summary.bodies)
+    if (body.yield_share) text += row(fmt::format("  / yield strength, body '{}'", name), *body.yield_share);
   for (const auto& [name, contact] : summary.contacts)
     if (const std::string opening =
             io::opening_text(summary, contact, [](double time) { return fmt::format("{:.6g}", time); });

@@ -12,7 +12,7 @@ Reporter::Reporter(const RunContext& context, const ObserverList& observers, Pos
       observers_(observers),
       position_(position),
       restart_points_(restart_points),
-      passed_(!context.integrates && !context.system().has_friction() && !context.config.time.cycle) {}
+      passed_(!context.integrates && !context.system().depends_on_path() && !context.config.time.cycle) {}
 
 void Reporter::output_before_now() {
   Schedule& schedule = position_.schedule();

@@ -11,6 +11,7 @@
 #include "creepcontact/base/units.hpp"
 #include "creepcontact/results/contact_values.hpp"
 #include "creepcontact/results/contact_width.hpp"
+#include "creepcontact/results/outcome.hpp"
 #include "creepcontact/results/small_strain_monitor.hpp"
 #include "preparation.hpp"
 
@@ -144,7 +145,14 @@ class StartReport {
       const Vector3& x = body.discretization().point_coordinates()[where];
       text += fmt::format(" at ({:.6g}, {:.6g}, {:.6g})", x.x(), x.y(), x.z());
     }
-    return text + relaxation_text(relaxation) + "\n";
+    text += relaxation_text(relaxation) + "\n";
+    if (const auto share = results::largest_yield_share(body, at_.equilibrium.conditions[b], stress))
+      text += fmt::format("  body '{}': the von Mises stress reaches {:.3g} of the yield strength{}\n", body.name(),
+                          *share, *share > 1 ? ": the body yields" : "");
+    const std::vector<double> flow = system_.laws().evaluate(material::plastic_strain_equivalent, b, at_, at_.y);
+    if (const auto most = std::ranges::max_element(flow); most != flow.end() && *most > 0)
+      text += fmt::format("  body '{}': yields; largest plastic strain {:.3g}\n", body.name(), *most);
+    return text;
   }
 
   std::string relaxation_text(const std::optional<creep::RelaxationTime>& relaxation) const {

@@ -17,7 +17,8 @@ StepEnd::Limit StepEnd::next(const ode::Integrator& integrator, const Schedule& 
   const double t = integrator.time();
   const bool may_pass_outputs = integrator.interpolates() && !config_.time.stop_at_output;
   const double stop = schedule.next_stop();
-  const double limit = std::min(may_pass_outputs ? stop : std::min(stop, schedule.next_output()), longest(t));
+  const double limit =
+      std::min(may_pass_outputs ? stop : std::min(stop, schedule.next_output()), longest(t, integrator.state()));
   if (!guard_) return {.time = limit};
   const double proposed = integrator.next_step();
   const bool is_proposed = proposed > 0;
@@ -28,10 +29,10 @@ StepEnd::Limit StepEnd::next(const ode::Integrator& integrator, const Schedule& 
   return found ? Limit{.time = found->time, .is_jump = found->is_jump} : Limit{.time = limit};
 }
 
-double StepEnd::longest(double t) const {
+double StepEnd::longest(double t, std::span<const double> y) const {
   const bool is_fixed = config_.time.step.mode == settings::StepMode::fixed;
-  if (!guard_ || is_fixed) return std::numeric_limits<double>::infinity();
-  return std::min(t + system_.longest_step(t), model_.step_limits.latest_end(t));
+  if (is_fixed || (!guard_ && !system_.has_yielding())) return std::numeric_limits<double>::infinity();
+  return std::min(t + system_.longest_step(t, y), model_.step_limits.latest_end(t));
 }
 
 void StepEnd::save(creep::Memory& memory) const {

@@ -30,7 +30,7 @@ class StepEnd {
   void restore(const creep::Memory& memory);
 
  private:
-  double longest(double t) const;
+  double longest(double t, std::span<const double> y) const;
 
   const config::Config& config_;
   const model::Model& model_;

@@ -128,6 +128,28 @@ struct Fatigue {
   Location location;
 };
 
+/// [materials.<name>.plasticity.curve]: one temperature of a yield stress that hardens
+struct PlasticCurve {
+  std::optional<double> T;             ///< needed where there are several curves
+  std::vector<double> plastic_strain;  ///< ascending from 0
+  std::vector<double> stress;          ///< not falling
+};
+
+/// [[materials.<name>.plasticity.kinematic]]: a back stress, functions of T
+struct KinematicHardening {
+  Function C;
+  Function gamma{0.0};
+};
+
+/// [materials.<name>.plasticity]: rate-independent, von Mises
+struct Plasticity {
+  std::optional<Function> yield_stress;  ///< of T; or `curve`
+  Function hardening_modulus{0.0};       ///< of T: d stress/d plastic strain
+  std::vector<PlasticCurve> curve;       ///< by ascending T
+  std::vector<KinematicHardening> kinematic;
+  Location location;
+};
+
 /// [materials.<name>.data_range], an older way to give the ranges of all creep laws of a material at once: complete()
 /// gives them to the laws.
 struct DataRange {
@@ -153,6 +175,8 @@ struct Material {
   std::vector<Function> thermal_expansion{0.0};  ///< secant, of T: one, or three along the material axes
   std::optional<double> reference_temperature;   ///< of zero thermal strain; not given: 0, where nothing depends on T
   std::vector<CreepMechanism> creep;
+  std::optional<Plasticity> plasticity;
+  std::optional<Function> yield_strength;  ///< of T: what the stress is compared with
   std::optional<Rupture> rupture;
   std::optional<DataRange> data_range;
   std::optional<Fatigue> fatigue;

@@ -73,10 +73,13 @@ class CreepSystem final : public ode::System,
   /// Applies the preloads that are due at t, if any. Call it before the first evaluation after t.
   /// @throws as EquilibriumSolver::apply_preloads
   void apply_preloads(double t, std::span<const double> y);
-  /// Makes the last step evaluation part of the history. Without friction it may have been made close to the accepted
-  /// point. With friction, whose slip it defines, it is made again unless it is within a tenth of the tolerance; then
-  /// the path of the slip is followed (EquilibriumSolver::accept), and evaluations at (t, y) are those of its end.
+  /// Makes the last step evaluation part of the history. It may have been made close to the accepted point; with
+  /// friction or yielding, whose slip and plastic strain it defines, it is made again unless it is within a tenth of
+  /// the tolerance. With friction the path of the slip is followed (EquilibriumSolver::accept), and evaluations at (t,
+  /// y) are those of its end.
   void accept(double t, std::span<const double> y) override;
+  /// Takes the slip and the plastic flow of loads that jump at t into the history, if there is any.
+  void accept_jump(double t, std::span<const double> y);
   bool rate_has_jumped() const override { return rate_has_jumped_; }
   void forget_evaluations() override;
   ode::System::Counters counters() const override { return {rate_evaluations_, jacobian_products_}; }
@@ -121,13 +124,17 @@ class CreepSystem final : public ode::System,
   void restore(const Memory& memory);
   const History& history() const { return history_; }
   bool has_friction() const { return history_.friction.slip.size() > 0; }
+  bool has_yielding() const { return !history_.plastic.bodies.empty(); }
+  /// True if states depend on the accepted ones before them, beyond what the differential equation has of them.
+  bool depends_on_path() const { return has_friction() || has_yielding(); }
   /// Sets the state from which the integration continues. Call it after restore() and begin_segment(), with that
   /// memory.
   /// @throws RecoverableError if no equilibrium is found
   void resume(double t, std::span<const double> y, const Memory& memory);
-  /// Longest next step from t for which no yielding is missed (YieldSteps) and, with friction, the stiffness changes
-  /// little; infinity if nothing bounds it.
-  double longest_step(double t) const;
+  /// Longest next step from t for which no yielding is missed (YieldSteps; with plasticity the loads change the stress
+  /// by a tenth of the yield stress) and, with friction, the stiffness changes little; infinity if nothing bounds it.
+  /// @param y  the state at t
+  double longest_step(double t, std::span<const double> y);
   /// The part of that for friction. @param end  the farthest that is of interest
   double longest_step_of_friction(double t, double end) const {
     return solver_.longest_for_friction(load_time(t), load_time(end));
@@ -159,6 +166,7 @@ class CreepSystem final : public ode::System,
   double load_time(double t) const;
   /// The tangents at step_.
   const std::vector<std::vector<material::StressTangent>>& step_tangents();
+  double longest_step_of_flow(double t, std::span<const double> y);
   double smallest_start_exponent(double t, const Evaluation& at) const;
   std::string describe_overflow(const Evaluation& at, std::span<const double> rate) const;
 
@@ -177,6 +185,7 @@ class CreepSystem final : public ode::System,
   double segment_end_ = std::numeric_limits<double>::infinity();
   double tolerance_;
   YieldSteps yield_steps_;
+  std::optional<double> flow_step_;  // bound on the steps of this segment by plastic flow; empty: not known yet
   History history_;
   LastPath path_;  // with friction: what happens within the last step starts from there
   ReportedSlip reported_;

@@ -42,6 +42,29 @@ struct SlipHistory {
                                              Member{"is_fresh", &SlipHistory::is_fresh}};
 };
 
+/// What the points of a body have from its yielding; arrays over its integration points, empty where nothing yields.
+struct PlasticState {
+  std::vector<double> strain;       ///< n_points x 6, Mandel order; empty: nothing has flowed
+  std::vector<double> accumulated;  ///< n_points
+  std::vector<double> back;         ///< n_points x n_back x 6: alpha_i of material::Plasticity
+  std::vector<double> rate;         ///< n_points x 6: of the strain over the last step; empty: nothing flowed in it
+  std::vector<double> stress;       ///< n_points x 6 at the end of the last step
+  static constexpr auto members =
+      std::tuple{Member{"strain", &PlasticState::strain}, Member{"accumulated", &PlasticState::accumulated},
+                 Member{"back", &PlasticState::back}, Member{"rate", &PlasticState::rate},
+                 Member{"stress", &PlasticState::stress}};
+};
+
+/// Yielding up to some time.
+struct PlasticHistory {
+  double time = 0;
+  bool flows = false;                ///< something has flowed in the last step
+  std::vector<PlasticState> bodies;  ///< one per body; empty: nothing yields, whatever the stress
+  static constexpr auto members =
+      std::tuple{Member{"time", &PlasticHistory::time}, Member{"flows", &PlasticHistory::flows},
+                 Member{"bodies", &PlasticHistory::bodies}};
+};
+
 /// A state of contact on the way of the loads, from which contact and slip go on.
 struct PathPoint {
   contact::ContactState contact;
@@ -67,6 +90,7 @@ struct Equilibrium {
   Eigen::VectorXd gaps;
   std::vector<double> interference;  ///< of preloaded contacts, per pair; zero for others
   SlipHistory friction;              ///< what the history becomes if this is accepted; empty without friction
+  PlasticHistory plastic;            ///< likewise; empty if no material yields
   double stiffness_scale = 1;        ///< s: stiffness at this time relative to that of the factors
   FreeDisplacements displacements;   ///< empty unless the stiffness changes in time
   std::int64_t factors = 0;          ///< number of the factorisation with which they were found
@@ -76,6 +100,7 @@ struct Equilibrium {
 struct History {
   contact::ContactState contact;     ///< of the last accepted step; contact iterations start from it
   SlipHistory friction;              ///< empty vectors without friction
+  PlasticHistory plastic;            ///< empty: nothing yields
   std::vector<double> interference;  ///< that preloads have been given, per pair
   /// Weighted gaps that rows of relative pairs had when they began to act, negative; empty if there are none.
   Eigen::VectorXd reached;
@@ -90,13 +115,11 @@ struct History {
   };
   std::vector<Accepted> accepted;         ///< the last two steps, latest first; only if the stiffness changes in time
   std::vector<std::int64_t> set_changes;  ///< per pair: accepted steps at which its set of closed rows changed
-  static constexpr auto members = std::tuple{Member{"contact", &History::contact},
-                                             Member{"friction", &History::friction},
-                                             Member{"interference", &History::interference},
-                                             Member{"reached", &History::reached},
-                                             Member{"preloaded_until", &History::preloaded_until},
-                                             Member{"accepted", &History::accepted},
-                                             Member{"set_changes", &History::set_changes}};
+  static constexpr auto members =
+      std::tuple{Member{"contact", &History::contact},   Member{"friction", &History::friction},
+                 Member{"plastic", &History::plastic},   Member{"interference", &History::interference},
+                 Member{"reached", &History::reached},   Member{"preloaded_until", &History::preloaded_until},
+                 Member{"accepted", &History::accepted}, Member{"set_changes", &History::set_changes}};
 };
 
 using creepcontact::Memory;

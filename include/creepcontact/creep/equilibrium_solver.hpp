@@ -42,6 +42,7 @@ struct SolverOptions {
   int initial_substeps = settings::ContactSettings{}.initial_substeps;  ///< with friction, see initial_history()
   double refactor_change = 0;       ///< largest q (see above) before the stiffness is factored again
   double stress_tolerance = 1e-10;  ///< error of the iteration relative to the stress in the body, energy norm
+  double plastic_tolerance = 1e-6;  ///< likewise of the plastic strain: the change of the stress in an iteration
   linalg::StiffnessSolverFactory stiffness_solver = linalg::default_stiffness_solver;
 };
 
@@ -58,12 +59,17 @@ class EquilibriumSolver {
   ~EquilibriumSolver();
 
   /// Equilibrium at time t for these creep strains (one view per body). A pure function of its arguments: to the last
-  /// bit if the stiffness is constant in time and the solver direct. Otherwise to the stress tolerance.
+  /// bit if the stiffness is constant in time, the solver direct, and nothing yields. Otherwise to the tolerances.
   /// @throws SolverError if the contact iteration does not converge; ModelError if the loads push away a body that only
   /// contact holds, or drive an unconstrained motion
-  /// Cost: one forward and one back substitution per body; several if the stiffness changes or the solver is not
-  /// direct. Source: Stankevich (2012), steps 8-11 of the implicit scheme.
+  /// Cost: one forward and one back substitution per body; several if the stiffness changes, the solver is not direct,
+  /// or points yield (PlasticFlow). Source: Stankevich (2012), steps 8-11 of the implicit scheme.
   void solve(double t, CreepStrains creep, const History& history, Equilibrium& into);
+
+  /// How far the loads of t would change the stress beyond yielding if creep and plastic strains stayed as they are:
+  /// the largest change of the equivalent stress since the last accepted step, relative to the yield stress; 0 if
+  /// nothing yields. Cost: as solve() without yielding
+  double yielding_excursion(double t, CreepStrains creep, const History& history);
 
   /// Change of stress for a change of creep strain, with the closed contacts of an equilibrium held closed. Uses the
   /// moduli of the factors times stiffness_scale, with a relative error of at most q. Strains that cause no stress
@@ -71,12 +77,12 @@ class EquilibriumSolver {
   /// @param stress  one per body, n_points x 6. Cost: one forward and one back substitution per body.
   void linearized(const Equilibrium& at, CreepStrains creep_change, std::vector<std::vector<double>>& stress);
 
-  /// An empty history for this assembly.
+  /// An empty history for this assembly, in which nothing yields.
   History new_history() const;
-  /// The history at t = 0, with the preloads of that time. With friction: loads, prescribed displacements and
-  /// temperatures of t = 0 are applied in SolverOptions::initial_substeps proportional steps, and interference is built
-  /// up by moving the surfaces of the pair uniformly into each other; preloads grow in proportion. Nothing creeps
-  /// meanwhile.
+  /// The history at t = 0, with the preloads of that time and the plastic strain of the first load. With friction or
+  /// yielding: loads, prescribed displacements and temperatures of t = 0 are applied in SolverOptions::initial_substeps
+  /// proportional steps, and interference is built up by moving the surfaces of the pair uniformly into each other;
+  /// preloads grow in proportion. Nothing creeps meanwhile.
   /// @throws as solve() Cost: with friction one forward pass, and one contact problem per substep
   History initial_history() { return initial_history(options_.initial_substeps); }
   /// initial_history() with another number of substeps, at least 1: the difference shows how well the load path is
@@ -132,12 +138,24 @@ class EquilibriumSolver {
   std::unique_ptr<FrictionFollower> make_friction_follower();
   /// Factors the stiffness of these conditions, which becomes K0.
   void refactorize(const std::vector<mechanics::BodyConditions>& at);
+  /// The equilibrium under the conditions of `into`, of which `part` acts: their gaps are between the unloaded ones and
+  /// those of the loads. Nothing yields. @param from  start of the contact iteration
+  void equilibrate(CreepStrains creep, const History& history, const contact::ContactState& from, double part,
+                   Equilibrium& into);
+  /// equilibrate() with the plastic strains that belong to it, where the history has some.
+  void equilibrate_yielding(CreepStrains creep, const History& history, double part, Equilibrium& into);
   /// @returns false if the iteration stalls before it converges, which only round-off can cause
-  bool iterate(CreepStrains creep, const History& history, const StiffnessChange& change, Equilibrium& into);
+  bool iterate(CreepStrains creep, const History& history, const contact::ContactState& begin, double part,
+               const StiffnessChange& change, Equilibrium& into);
   /// Right-hand sides of the first iteration, which starts from the displacements extrapolated from the last accepted
   /// steps, or from zero. @returns the load without the gaps that the right-hand sides open
-  contact::InterfaceLoad start(CreepStrains creep, const History& history, const StiffnessChange& change,
+  contact::InterfaceLoad start(CreepStrains creep, const History& history, double part, const StiffnessChange& change,
                                Equilibrium& into);
+  /// initial_history() where nothing yields, and where something does.
+  History initial_elastic_history(int substeps);
+  History initial_yielding_history(int substeps);
+  /// Sets the space of the results.
+  void resize(Equilibrium& into) const;
   /// One elastic solve. @returns change of the displacement in the energy norm
   double advance(const contact::InterfaceLoad& given, const contact::ContactState& from, CreepStrains creep,
                  Equilibrium& into);

@@ -9,6 +9,7 @@
 #include "creepcontact/base/function.hpp"
 #include "creepcontact/material/anisotropy.hpp"
 #include "creepcontact/material/creep_law.hpp"
+#include "creepcontact/material/plasticity.hpp"
 
 namespace creepcontact::material {
 
@@ -43,6 +44,8 @@ struct Material {
   std::optional<Orthotropy> orthotropy;
   std::optional<HillRatios> hill;  ///< of all creep laws; not of the life fraction
   std::vector<std::shared_ptr<const CreepLaw>> creep;
+  std::shared_ptr<const Plasticity> plasticity;  ///< null: the material does not yield
+  std::optional<Function> yield_strength;        ///< of T: what results compare the stress with
 
   bool has_axes() const { return orthotropy || hill || thermal_expansion.has_axes; }
   bool creeps() const { return !creep.empty(); }

@@ -46,6 +46,16 @@ inline constexpr StateVariable creep_fatigue{
         "line; 0 where there are no fatigue data",
     .label = "creep-fatigue usage"};
 
+/// Of rate-independent plasticity (Plasticity), not of the creep laws.
+inline constexpr StateVariable plastic_strain{.name = "plastic_strain",
+                                              .description = "plastic strain of `plasticity`, tensor components",
+                                              .label = "plastic strain",
+                                              .is_tensor = true};
+inline constexpr StateVariable plastic_strain_equivalent{
+    .name = "plastic_strain_equivalent",
+    .description = "accumulated equivalent plastic strain of `plasticity`",
+    .label = "accumulated plastic strain"};
+
 /// Laws with rupture give 1/(time to rupture).
 inline constexpr StateVariable remaining_life{
     .name = "remaining_life",

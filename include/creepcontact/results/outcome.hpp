@@ -14,6 +14,11 @@
 
 namespace creepcontact::results {
 
+/// The largest von Mises stress relative to the yield strength at its temperature; nullopt without a yield strength.
+/// @param stress  n_points x 6
+std::optional<double> largest_yield_share(const mechanics::Body& body, const mechanics::BodyConditions& at,
+                                          const std::vector<double>& stress);
+
 /// Start and end are those of output times; extremes and openings are those of all states that it sees.
 class Outcome {
  public:
@@ -76,6 +81,7 @@ class Outcome {
   std::vector<Opening> openings_;              // likewise
   std::vector<double> rounding_;               // likewise: force that the round-off of the bodies may make
   std::vector<io::Summary::Course> stresses_;  // of every body
+  std::vector<io::Summary::Course> shares_;    // likewise: largest_yield_share()
   std::vector<double> moduli_;                 // likewise: Young's modulus
   std::vector<double> dissipated_, slip_;      // of every contact pair at the last output; NaN: no friction
   std::vector<double> interference_;           // likewise; NaN: no preload
@@ -83,7 +89,8 @@ class Outcome {
   static constexpr auto saved_members =
       std::tuple{Member{"started", &Outcome::started_},   Member{"last_output", &Outcome::last_output_},
                  Member{"forces", &Outcome::forces_},     Member{"widths", &Outcome::widths_},
-                 Member{"openings", &Outcome::openings_}, Member{"stresses", &Outcome::stresses_}};
+                 Member{"openings", &Outcome::openings_}, Member{"stresses", &Outcome::stresses_},
+                 Member{"shares", &Outcome::shares_}};
 };
 
 }  // namespace creepcontact::results

@@ -32,6 +32,11 @@ Json bodies(const Summary& summary) {
                     {"largest_von_mises", body.von_mises.largest},
                     {"final_von_mises", body.von_mises.end}};
     if (body.von_mises.t_largest > 0) result[name]["t_largest_von_mises"] = body.von_mises.t_largest;
+    if (!body.yield_share) continue;
+    result[name]["initial_yield_share"] = body.yield_share->start;
+    result[name]["largest_yield_share"] = body.yield_share->largest;
+    result[name]["final_yield_share"] = body.yield_share->end;
+    result[name]["t_largest_yield_share"] = body.yield_share->t_largest;
   }
   return result;
 }

@@ -62,9 +62,11 @@ Summary::Course course_of(const nlohmann::json& json, const std::string& of) {
 void read_bodies(const nlohmann::json& json, Summary& summary) {
   const auto bodies = json.find("bodies");
   if (bodies == json.end()) return;
-  for (const auto& [name, body] : bodies->items())
+  for (const auto& [name, body] : bodies->items()) {
     summary.bodies[name] = {count(body, "dofs"), count(body, "elements"), count(body, "integration_points"),
                             course_of(body, "von_mises")};
+    if (body.contains("largest_yield_share")) summary.bodies[name].yield_share = course_of(body, "yield_share");
+  }
 }
 
 void read_contacts(const nlohmann::json& json, Summary& summary) {

@@ -59,6 +59,8 @@ struct Summary : RunCounters {
   struct Body {
     std::int64_t dofs = 0, elements = 0, integration_points = 0;
     Course von_mises;  ///< largest of the body
+    /// Largest von Mises stress / yield strength at its temperature; nullopt: the material has no yield strength.
+    std::optional<Course> yield_share = {};
   };
   struct Largest {
     double value = 0;

@@ -1,0 +1,298 @@
+#include "plastic_flow.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/numerics/parallel.hpp"
+#include "creepcontact/numerics/point_sums.hpp"
+
+namespace creepcontact::creep {
+namespace {
+
+constexpr int mixing_depth = 10;
+constexpr int max_passes = 200;
+constexpr double yield_rounding = 1e-6;  // of the yield stress
+constexpr double max_flow = 100;         // elastic strains at yield, in one step: beyond is collapse
+
+std::int64_t signed_size(std::size_t n) {
+  return static_cast<std::int64_t>(n);
+}
+
+}  // namespace
+
+PlasticHistory virgin_plastic_history(const Assembly& assembly) {
+  PlasticHistory history;
+  const auto yields = [](const mechanics::Body& body) { return body.material().plasticity != nullptr; };
+  if (!std::ranges::any_of(assembly.bodies(), yields)) return history;
+  history.bodies.resize(assembly.bodies().size());
+  for (std::size_t b = 0; b < history.bodies.size(); ++b)
+    if (const mechanics::Body& body = assembly.bodies()[b]; yields(body))
+      history.bodies[b].stress.assign(6 * body.discretization().n_points(), 0.0);
+  return history;
+}
+
+PlasticFlow::PlasticFlow(const Assembly& assembly, const PlasticHistory& from, double t,
+                         std::span<const mechanics::BodyConditions> at, double tolerance, bool goes_on)
+    : assembly_(assembly),
+      from_(from),
+      time_(t),
+      at_(at),
+      tolerance_(tolerance),
+      mixing_(mixing_depth, assembly.team()) {
+  for (std::size_t b = 0; b < assembly.bodies().size(); ++b) {
+    const mechanics::Body& of = assembly.bodies()[b];
+    const material::Plasticity* law = of.material().plasticity.get();
+    if (law == nullptr) continue;
+    const std::size_t n = of.discretization().n_points();
+    Body body{.number = b, .law = law};
+    const bool varies = law->depends_on_temperature() && !at[b].temperature.empty();
+    const std::size_t n_sets = varies ? n : 1, width = law->n_constants();
+    body.constants.resize(n_sets * width);
+    try {
+      for (std::size_t i = 0; i < n_sets; ++i) {
+        const double T = at[b].temperature.empty() ? of.material().reference_temperature : at[b].temperature[i];
+        law->evaluate(T, std::span(body.constants).subspan(i * width, width));
+      }
+    } catch (const std::invalid_argument& error) {
+      throw SolverError(fmt::format("material '{}': {}", of.material().name, error.what()));
+    }
+    body.is_active.assign(n, 0);
+    // Flow goes on as in the last step, or stops.
+    if (const std::vector<double>& rate = from.bodies[b].rate; goes_on && !rate.empty() && t > from.time) {
+      body.guess.resize(rate.size());
+      for (std::size_t i = 0; i < rate.size(); ++i) body.guess[i] = (t - from.time) * rate[i];
+      for (std::size_t p = 0; p < n; ++p)
+        if (!tensor::view(rate, p).isZero(0)) activate(body, p);
+    }
+    bodies_.push_back(std::move(body));
+  }
+}
+
+void PlasticFlow::activate(Body& body, std::size_t point) {
+  if (body.is_active[point] != 0) return;
+  body.is_active[point] = 1;
+  body.active.push_back(static_cast<std::int32_t>(point));
+}
+
+std::span<const double> PlasticFlow::constants(const Body& body, std::size_t point) const {
+  const std::size_t width = body.law->n_constants();
+  return std::span(body.constants).subspan(body.constants.size() == width ? 0 : point * width, width);
+}
+
+double PlasticFlow::temperature(const Body& body, std::size_t point) const {
+  const std::vector<double>& given = at_[body.number].temperature;
+  return given.empty() ? assembly_.bodies()[body.number].material().reference_temperature : given[point];
+}
+
+std::span<const mechanics::CreepStrainView> PlasticFlow::strains(std::span<const mechanics::CreepStrainView> creep) {
+  views_.assign(creep.begin(), creep.end());
+  for (Body& body : bodies_) {
+    const std::vector<double>& before = from_.bodies[body.number].strain;
+    if (before.empty() && body.guess.empty()) continue;
+    const mechanics::CreepStrainView& own = creep[body.number];
+    body.strain.assign(6 * body.is_active.size(), 0.0);
+#pragma omp parallel for schedule(static) if (body.is_active.size() > numerics::parallel_points)
+    for (std::int64_t i = 0; i < signed_size(body.is_active.size()); ++i) {
+      const auto p = static_cast<std::size_t>(i);
+      tensor::Map sum = tensor::writable(body.strain, p);
+      if (!own.empty()) sum += own.at(p);
+      if (!before.empty()) sum += tensor::view(before, p);
+      if (!body.guess.empty()) sum += tensor::view(body.guess, p);
+    }
+    views_[body.number] = {body.strain, 6};
+  }
+  return views_;
+}
+
+bool PlasticFlow::return_stress(const Equilibrium& at) {
+  bool flows = false;
+  for (Body& body : bodies_) {
+    const PlasticState& before = from_.bodies[body.number];
+    const std::vector<double>& stress = at.bodies[body.number].stress;
+    const mechanics::ElasticState elastic = at_[body.number].elastic();
+    const std::size_t n = body.is_active.size(), width = 6 * body.law->n_back();
+    bool any = false;
+    const auto flow_at = [&](std::size_t p, std::span<double> back) {
+      Tensor6 trial = tensor::deviator(Tensor6(tensor::view(stress, p)));
+      if (!body.guess.empty()) trial += 2 * elastic.at(p).mu * tensor::view(body.guess, p);
+      const material::PlasticPoint from{
+          tensor::deviator(Tensor6(tensor::view(before.stress, p))),
+          before.accumulated.empty() ? 0 : before.accumulated[p],
+          before.back.empty() ? std::span<const double>() : std::span(before.back).subspan(p * width, width)};
+      return body.law->flow(from, trial, elastic.at(p).mu, temperature(body, p), constants(body, p), back);
+    };
+    std::vector<material::PlasticFlowStep> found(n);
+    std::vector<double> back(n * width);
+#pragma omp parallel for schedule(static) reduction(|| : any) if (n > numerics::parallel_points)
+    for (std::int64_t i = 0; i < signed_size(n); ++i) {
+      const auto p = static_cast<std::size_t>(i);
+      found[p] = flow_at(p, std::span(back).subspan(p * width, width));
+      any = any || found[p].accumulated > 0;
+    }
+    flows = flows || any;
+    if (!any && body.guess.empty()) {
+      body.flow.clear();
+      continue;
+    }
+    body.flow.assign(6 * n, 0.0);
+    body.accumulated.assign(n, 0.0);
+    body.back = std::move(back);
+    for (std::size_t p = 0; p < n; ++p) {
+      if (found[p].accumulated == 0) continue;
+      require_limited_flow(body, p, found[p].accumulated);
+      tensor::writable(body.flow, p) = found[p].strain;
+      body.accumulated[p] = found[p].accumulated;
+      activate(body, p);
+    }
+  }
+  return assembly_.team().any(flows);
+}
+
+void PlasticFlow::require_limited_flow(const Body& body, std::size_t point, double change) const {
+  const double T = temperature(body, point);
+  const PlasticState& before = from_.bodies[body.number];
+  const double p = before.accumulated.empty() ? 0 : before.accumulated[point];
+  const double yield = body.law->yield_stress(p, T, constants(body, point)).stress;
+  if (3 * at_[body.number].elastic().at(point).mu * change <= max_flow * yield) return;
+  const mechanics::Body& of = assembly_.bodies()[body.number];
+  const Vector3& x = of.discretization().point_coordinates()[point];
+  throw SolverError(fmt::format(
+      "the loads of t = {:.6g} cannot be carried: body '{}' flows, by a plastic strain of {:.3g} in one step "
+      "at ({:.6g}, {:.6g}, {:.6g}), where the yield stress is {:.6g}",
+      time_, of.name(), change, x.x(), x.y(), x.z(), yield));
+}
+
+double PlasticFlow::root_of_energy(const Body& body, std::size_t point) const {
+  const mechanics::Discretization& discretization = assembly_.bodies()[body.number].discretization();
+  return std::sqrt(2 * at_[body.number].elastic().at(point).mu * discretization.weights()[point]);
+}
+
+void PlasticFlow::gather(std::vector<double>& guess, std::vector<double>& flow) const {
+  guess.clear();
+  flow.clear();
+  for (const Body& body : bodies_)
+    for (const std::int32_t p : body.active) {
+      const auto point = static_cast<std::size_t>(p);
+      const double root = root_of_energy(body, point);
+      for (std::size_t k = 6 * point; k < 6 * point + 6; ++k) {
+        guess.push_back(body.guess.empty() ? 0 : root * body.guess[k]);
+        flow.push_back(body.flow.empty() ? 0 : root * body.flow[k]);
+      }
+    }
+}
+
+void PlasticFlow::scatter(std::span<const double> guess) {
+  std::size_t next = 0;
+  for (Body& body : bodies_) {
+    if (body.active.empty()) continue;
+    body.guess.assign(6 * body.is_active.size(), 0.0);
+    for (const std::int32_t p : body.active) {
+      const auto point = static_cast<std::size_t>(p);
+      const double root = root_of_energy(body, point);
+      for (std::size_t k = 6 * point; k < 6 * point + 6; ++k) body.guess[k] = guess[next++] / root;
+    }
+  }
+}
+
+double PlasticFlow::stress_norm(const Equilibrium& at) const {
+  double sum = 0;
+  for (std::size_t b = 0; b < at.bodies.size(); ++b) {
+    const std::span<const double> weights = assembly_.bodies()[b].discretization().weights();
+    const mechanics::ElasticState elastic = at_[b].elastic();
+    sum += numerics::sum_over_points(at.bodies[b].stress.size() / 6, [&](std::size_t p) {
+      const tensor::ConstMap sigma = tensor::view(at.bodies[b].stress, p);
+      return weights[p] * sigma.dot(elastic.elastic_strain(p, sigma));
+    });
+  }
+  return std::sqrt(assembly_.team().sum(sum));
+}
+
+void PlasticFlow::finish(Equilibrium& into) const {
+  into.plastic.time = time_;
+  into.plastic.flows =
+      assembly_.team().any(std::ranges::any_of(bodies_, [](const Body& body) { return !body.flow.empty(); }));
+  into.plastic.bodies.resize(from_.bodies.size());
+  for (const Body& body : bodies_) {
+    const PlasticState& before = from_.bodies[body.number];
+    PlasticState& after = into.plastic.bodies[body.number];
+    std::vector<double>& stress = into.bodies[body.number].stress;
+    const std::size_t n = body.is_active.size(), width = 6 * body.law->n_back();
+    after.strain = before.strain;
+    after.accumulated = before.accumulated;
+    after.back = before.back;
+    after.rate.clear();
+    if (!body.flow.empty()) {
+      after.strain.resize(6 * n);
+      after.accumulated.resize(n);
+      after.back.resize(n * width);
+      if (time_ > from_.time) after.rate.assign(6 * n, 0.0);
+      const mechanics::ElasticState elastic = at_[body.number].elastic();
+      for (const std::int32_t active : body.active) {
+        const auto p = static_cast<std::size_t>(active);
+        const tensor::ConstMap change = tensor::view(body.flow, p);
+        tensor::writable(after.strain, p) += change;
+        after.accumulated[p] += body.accumulated[p];
+        std::copy_n(body.back.begin() + signed_size(p * width), width, after.back.begin() + signed_size(p * width));
+        if (!after.rate.empty()) tensor::writable(after.rate, p) = change / (time_ - from_.time);
+        Tensor6 rest = change;
+        if (!body.guess.empty()) rest -= tensor::view(body.guess, p);
+        tensor::writable(stress, p) -= 2 * elastic.at(p).mu * rest;
+      }
+    }
+    after.stress = stress;
+  }
+}
+
+double PlasticFlow::excursion(const Equilibrium& at) const {
+  double largest = 0;
+  bool yields = false;
+  for (const Body& body : bodies_) {
+    const PlasticState& before = from_.bodies[body.number];
+    const std::size_t width = 6 * body.law->n_back();
+    for (std::size_t p = 0; p < body.is_active.size(); ++p) {
+      const Tensor6 now = tensor::view(at.bodies[body.number].stress, p), then = tensor::view(before.stress, p);
+      const double accumulated = before.accumulated.empty() ? 0 : before.accumulated[p];
+      const double yield = body.law->yield_stress(accumulated, temperature(body, p), constants(body, p)).stress;
+      const auto back =
+          before.back.empty() ? std::span<const double>() : std::span(before.back).subspan(p * width, width);
+      largest = std::max(largest, tensor::von_mises(Tensor6(now - then)) / yield);
+      yields = yields || tensor::von_mises(Tensor6(now - body.law->back_stress(back, constants(body, p)))) >
+                             (1 + yield_rounding) * yield;
+    }
+  }
+  largest = assembly_.team().max(largest);
+  return assembly_.team().any(yields) ? largest : 0;
+}
+
+bool PlasticFlow::advance(Equilibrium& into) {
+  const bool flows = return_stress(into);
+  const auto has_guess = [](const Body& body) { return !body.guess.empty(); };
+  if (!flows && !assembly_.team().any(std::ranges::any_of(bodies_, has_guess))) {
+    finish(into);
+    return true;
+  }
+  std::vector<double> guess, flow;
+  gather(guess, flow);
+  double change = 0;
+  for (std::size_t i = 0; i < guess.size(); ++i) change += (flow[i] - guess[i]) * (flow[i] - guess[i]);
+  change = std::sqrt(assembly_.team().sum(change));
+  if (change <= tolerance_ * stress_norm(into)) {
+    finish(into);
+    return true;
+  }
+  if (++n_iterations_ == max_passes)
+    throw SolverError(
+        fmt::format("the plastic strain at t = {:.6g} is not found in {} iterations; its change is still {:.2g} of the "
+                    "stress: the loads may be near what the bodies can carry",
+                    time_, max_passes, change / stress_norm(into)));
+  std::vector<double> next(guess.size());
+  mixing_.mix(guess, flow, next);
+  scatter(next);
+  return false;
+}
+
+}  // namespace creepcontact::creep

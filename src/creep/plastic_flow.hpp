@@ -1,0 +1,82 @@
+#pragma once
+/// The plastic strains of all bodies in equilibrium: a fixed-point iteration on the factors of the elastic stiffness.
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "anderson_mixing.hpp"
+#include "creepcontact/creep/assembly.hpp"
+#include "creepcontact/creep/equilibrium.hpp"
+
+namespace creepcontact::creep {
+
+/// A history of bodies that may yield and have not; without bodies if no material yields.
+PlasticHistory virgin_plastic_history(const Assembly& assembly);
+
+/// The iteration of one equilibrium. With the plastic strain of the last accepted step and a guess g of its change, the
+/// elastic solver finds stresses; the return of material::Plasticity makes of these another change f(g); what is sought
+/// is g = f(g), by Anderson mixing. Where nothing yields one solve is enough, and it is the same as without plasticity.
+///
+///   PlasticFlow flow(assembly, history, t, conditions, tolerance);
+///   do solve(flow.strains(creep)); while (!flow.advance(equilibrium));
+///
+/// Collective. Refers to its arguments.
+class PlasticFlow {
+ public:
+  /// @param from  the last accepted step; not empty @param at  the conditions at t, one per body
+  /// @param tolerance  of the change of the stress in an iteration, relative to the stress, energy norm
+  /// @param goes_on  the first guess: the flow of the last step goes on, or nothing flows
+  /// @throws SolverError for constants that are not admissible
+  PlasticFlow(const Assembly& assembly, const PlasticHistory& from, double t,
+              std::span<const mechanics::BodyConditions> at, double tolerance, bool goes_on = true);
+
+  /// Creep and plastic strains for the next solve, one view per body; those of bodies without plastic strain are
+  /// `creep`.
+  std::span<const mechanics::CreepStrainView> strains(std::span<const mechanics::CreepStrainView> creep);
+  /// Takes the stress that solve() has found. @returns true when the plastic strain has converged: `into` then has it,
+  /// and stresses that meet the yield condition
+  /// @throws SolverError if the bodies cannot carry the loads
+  bool advance(Equilibrium& into);
+  /// The largest change of the equivalent stress since the last accepted step, relative to the yield stress; 0 if the
+  /// stress leaves the yield surface nowhere. @param at  of the first solve, without a guess
+  double excursion(const Equilibrium& at) const;
+
+ private:
+  struct Body {
+    std::size_t number;
+    const material::Plasticity* law;
+    std::vector<double> constants = {};         // of all points, or one set for all
+    std::vector<double> guess = {}, flow = {};  // changes of the plastic strain, n_points x 6; empty: zero
+    std::vector<double> accumulated = {};       // change of p, n_points
+    std::vector<double> back = {};              // alpha_i at the end
+    std::vector<double> strain = {};            // creep + plastic strain + guess; empty: no plastic strain
+    std::vector<std::int32_t> active = {};      // points that have or had a change, in the order in which they came
+    std::vector<char> is_active = {};           // per point
+  };
+  std::span<const double> constants(const Body& body, std::size_t point) const;
+  double temperature(const Body& body, std::size_t point) const;
+  /// Returns all points to the yield surface. @returns true if a point flows on any process
+  bool return_stress(const Equilibrium& at);
+  void activate(Body& body, std::size_t point);
+  void require_limited_flow(const Body& body, std::size_t point, double change) const;
+  /// The changes of active points times the root of 2 G times the volume: energies are squares of their norms.
+  void gather(std::vector<double>& guess, std::vector<double>& flow) const;
+  void scatter(std::span<const double> guess);
+  double root_of_energy(const Body& body, std::size_t point) const;
+  double stress_norm(const Equilibrium& at) const;
+  void finish(Equilibrium& into) const;
+
+  const Assembly& assembly_;
+  const PlasticHistory& from_;
+  double time_;
+  std::span<const mechanics::BodyConditions> at_;
+  double tolerance_;
+  std::vector<Body> bodies_;  // those that may yield
+  std::vector<mechanics::CreepStrainView> views_;
+  AndersonMixing mixing_;
+  int n_iterations_ = 0;
+};
+
+}  // namespace creepcontact::creep

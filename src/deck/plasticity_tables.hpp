@@ -1,0 +1,12 @@
+#pragma once
+/// [materials.<name>.plasticity] of *PLASTIC.
+
+#include "draft.hpp"
+
+namespace creepcontact::deck {
+
+/// Sets the plasticity of a material from its *PLASTIC; what cannot be is among draft.impossible. A yield stress of zero
+/// next to creep is creep without an elastic range: nothing is set.
+void make_plasticity(Draft& draft, const Material& material, config::Material& made);
+
+}  // namespace creepcontact::deck
