@@ -374,9 +374,24 @@ class Import(ImportTest):
         done = self.import_deck("stressed", CUBE + "*INITIAL CONDITIONS, TYPE=STRESS\n1, 1, 10., 0, 0, 0, 0, 0\n*STEP\n*STATIC\n*END STEP\n", 2)
         self.assertSays(done.stderr, "stressed.inp:", "*INITIAL CONDITIONS: TYPE=STRESS: ")
 
+    def test_plasticity(self):
+        tables = {"*PLASTIC\n100, 0\n150, 0.05\n": 100 + 1000 * 0.02,
+                  "*PLASTIC, HARDENING=KINEMATIC\n100, 0\n150, 0.05\n": 100 + 1000 * 0.02,
+                  "*PLASTIC, HARDENING=COMBINED, DATA TYPE=PARAMETERS, NUMBER BACKSTRESSES=1\n100, 1000, 0\n": 100 + 1000 * 0.02,
+                  "*PLASTIC\n100\n": 100}
+        load = "*STEP\n*STATIC\n1, 1\n*BOUNDARY\nz1, 3, 3, {}\n*EL PRINT, ELSET=Cube\nS, PEEQ\n*END STEP\n"
+        for i, (table, stress) in enumerate(tables.items()):
+            with self.subTest(table):
+                text = CUBE.replace("1e5, 0.\n", "1e5, 0.\n" + table) + "*NSET, NSET=z1\n5, 6, 7, 8\n"
+                self.import_deck(f"plastic{i}", text + load.format(stress / 1e5 + 0.02))
+                rows = self.run_imported(f"plastic{i}")
+                self.assertAlmostEqual(max(value for name, value in rows[-1].items() if "zz" in name.lower() or "szz" in name), stress, delta=1e-4 * stress)
+        done = self.import_deck("falls", CUBE.replace("1e5, 0.\n", "1e5, 0.\n*PLASTIC\n100, 0\n90, 0.1\n"), 2)
+        self.assertSays(done.stderr, "falls.inp:", "*PLASTIC: ", "fall")
+
     def test_what_makes_no_model(self):
-        done = self.import_deck("impossible", CUBE + "*PLASTIC\n200\n*MPC\nMEANROT, 1, 2\n*MODEL CHANGE\n*STEP\n*DYNAMIC\n*END STEP\n", 2)
-        self.assertSays(done.stderr, "impossible.inp:26: *PLASTIC: ", "'chaboche'", "impossible.inp:30: *MODEL CHANGE: ",
+        done = self.import_deck("impossible", CUBE + "*CYCLIC HARDENING\n200\n*MPC\nMEANROT, 1, 2\n*MODEL CHANGE\n*STEP\n*DYNAMIC\n*END STEP\n", 2)
+        self.assertSays(done.stderr, "impossible.inp:26: *CYCLIC HARDENING: ", "plasticity", "impossible.inp:30: *MODEL CHANGE: ",
                         "impossible.inp:32: *DYNAMIC: ", "*STATIC", "*VISCO")
         self.assertFalse((self.directory / "imported").exists())
         self.assertSays(self.import_missing().stderr, ".inp", "No such file")

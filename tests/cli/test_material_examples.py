@@ -257,6 +257,34 @@ class ShrinkFitCycles(MaterialExampleTest):
             self.expect_close(row["fit_pressure_end"], all_weeks[int(row["cycle"]) - 1]["fit_pressure_end"], 1e-2)
 
 
+class BoltTightenedPastYield(MaterialExampleTest):
+    AREA = math.pi * 7.05**2
+
+    def test_force_follows_the_yield_stress(self):
+        at = {row["time"]: row for row in self.rows("bolt_tightened_past_yield.toml", {})}
+        self.expect_close(at[0.02]["bolt_force"], 2 * at[0.01]["bolt_force"], 1e-3)
+        self.assertEqual(at[0.02]["flow"], 0)
+        for time, yields in ((0.05, 640), (8, 430)):
+            self.expect_close(at[time]["bolt_force"], (yields + 2000 * at[time]["flow"]) * self.AREA, 1e-3)
+        self.expect_close(at[1e5]["flow"], at[8]["flow"], 1e-4)
+        self.assertLess(at[1e5]["bolt_force"], 0.3 * at[8]["bolt_force"])
+        self.expect_close(self.summary()["bodies"]["bolt"]["largest_yield_share"], 1.01, 2e-2)
+
+
+class BreeTube(MaterialExampleTest):
+    def strain_of_a_cycle(self, settings):
+        rows = self.rows("bree_tube.toml", settings)
+        return (rows[-1]["strain"] - rows[-2]["strain"]) / (300 / 2e5)
+
+    def test_regions_of_the_diagram(self):
+        def settings(x, y):
+            return {"generalized_plane_strain.force": 6 * x,
+                    "temperature.value": f"{300 * y / 2}*(x - 0.5)*(1 - cos(2*_pi*t))/2"}
+        self.expect_close(self.strain_of_a_cycle({}), 2.5 * (1 - 2 * math.sqrt(0.3 / 1.25)), 1e-2)
+        self.assertAlmostEqual(self.strain_of_a_cycle(settings(0.5, 1.2)), 0, delta=1e-8)
+        self.expect_close(self.strain_of_a_cycle(settings(0.3, 4)), 0.4, 1e-2)
+
+
 class ValveSeatCycles(MaterialExampleTest):
     """Chaboche's law, read off an integrated state, and the balance of forces."""
 

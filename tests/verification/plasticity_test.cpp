@@ -7,6 +7,7 @@
 
 #include "support/says.hpp"
 #include "verification/cube.hpp"
+#include "verification/interrupted.hpp"
 #include "verification/plane_regions.hpp"
 #include "verification/rings.hpp"
 
@@ -96,10 +97,7 @@ TEST(PlasticBar, ThatStaysElasticHasTheSameBits) {
   EXPECT_EQ(with.summary.number("rhs_evaluations"), without.summary.number("rhs_evaluations"));
 }
 
-/// Hill's cylinder, b/a = 2, nu near 0.5, both ends held (R. Hill, 1950).
-Outcome run_cylinder(const std::string& material, const std::string& pressure, const std::string& time,
-                     bool fails = false) {
-  const std::string toml = section_of("axisymmetric") + R"toml(
+const std::string wall_of_alloy = R"toml(
     [bodies.wall]
     region = "wall"
     material = "alloy"
@@ -107,12 +105,20 @@ Outcome run_cylinder(const std::string& material, const std::string& pressure, c
     young_modulus = 1000
     poisson_ratio = 0.4999
     plasticity = { yield_stress = 1 }
-  )toml" + material + "\n[time]\n" +
-                           time + "\n[[loads]]\non = \"wall_x0\"\npressure = " + pressure + "\n" +
-                           support("wall_y0", "y") + support("wall_y1", "y") +
-                           probe("bore", "stress_theta", "at = [1, 0.025, 0]\nbody = \"wall\"") +
-                           probe("outside", "displacement_x", "at = [2, 0.025, 0]\nbody = \"wall\"") +
-                           probe("flow", "plastic_strain_equivalent", "body = \"wall\"\nreduce = \"max\"");
+)toml";
+
+/// Hill's cylinder, b/a = 2, nu near 0.5, both ends held (R. Hill, 1950).
+std::string cylinder_toml(const std::string& material, const std::string& pressure, const std::string& time) {
+  return section_of("axisymmetric") + wall_of_alloy + material + "\n[time]\n" + time +
+         "\n[[loads]]\non = \"wall_x0\"\npressure = " + pressure + "\n" + support("wall_y0", "y") +
+         support("wall_y1", "y") + probe("bore", "stress_theta", "at = [1, 0.025, 0]\nbody = \"wall\"") +
+         probe("outside", "displacement_x", "at = [2, 0.025, 0]\nbody = \"wall\"") +
+         probe("flow", "plastic_strain_equivalent", "body = \"wall\"\nreduce = \"max\"");
+}
+
+Outcome run_cylinder(const std::string& material, const std::string& pressure, const std::string& time,
+                     bool fails = false) {
+  const std::string toml = cylinder_toml(material, pressure, time);
   const std::string geo = regions_geo({{"wall", {1, 2, 20}, {0, 0.05, 1}}});
   return fails ? run_to_failure(toml, geo) : run_case(toml, geo);
 }
@@ -155,6 +161,112 @@ TEST(PlasticCylinder, BeyondTheLimitLoadEndsWithItsPressure) {
   EXPECT_EQ(wall.exit_status, 4);
   EXPECT_TRUE(says(wall.message, {"cannot be carried", "'wall'", "plastic strain"})) << wall.message;
   EXPECT_NEAR(0.9 * wall.summary.number("time_reached"), 0.80038, 2e-3);
+}
+
+// Bolts tightened beyond yield: the preload is met, flow is that of the hardening, and what follows is creep.
+TEST(PlasticJoint, PreloadByForceIsMetBeyondYield) {
+  const std::string geo =
+      boxes_geo({{"low", {0, 0, 0}, {10, 10, 10}, {2, 2, 2}}, {"up", {0, 0, 10}, {10, 10, 10}, {2, 2, 2}}});
+  const std::string supports = support("low_z0", "z") + support("low_x0", "x") + support("low_y0", "y") +
+                               support("up_x0", "x") + support("up_y0", "y") + support("up_z1", "z");
+  for (const double friction : {0.0, 0.2}) {
+    const Outcome joint = run_case(
+        "[mesh]\nfile = \"case.geo\"\n[bodies]\nlow = { region = \"low\", material = \"soft\" }\n"
+        "up = { region = \"up\", material = \"hard\" }\n"
+        "[materials.hard]\nyoung_modulus = 2e5\npoisson_ratio = 0.3\n"
+        "[materials.soft]\nyoung_modulus = 2e5\npoisson_ratio = 0.3\nyield_strength = 300\n"
+        "plasticity = { yield_stress = 300, hardening_modulus = 2000 }\n"
+        "creep = [{ law = \"norton\", A = 1e-16, n = 5 }]\n[time]\nend = 1000\n" +
+            fmt::format("[[contacts]]\nname = \"joint\"\nbetween = [\"low_z1\", \"up_z0\"]\nfriction = {}\n"
+                        "preload = {{ force = 33000 }}\n",
+                        friction) +
+            supports + probe("flow", "plastic_strain_equivalent", "body = \"low\"\nreduce = \"mean\""),
+        geo);
+    EXPECT_RELATIVE(joint.summary.number("contacts/joint/initial_normal_force"), 33000, 1e-5);
+    EXPECT_LT(joint.summary.number("contacts/joint/final_normal_force"), 10000);
+    EXPECT_NEAR(joint.history.at("flow", 1000), joint.history.at("flow", 0), 1e-9) << "relaxing unloads elastically";
+    if (friction == 0) {
+      EXPECT_NEAR(joint.history.at("flow", 0), 30.0 / 2000, 1e-7);
+      EXPECT_RELATIVE(joint.summary.number("bodies/low/initial_yield_share"), 1.1, 1e-6);
+    }
+  }
+}
+
+/// Strips under an axial stress and cycles of a linear temperature: J. Bree, J. Strain Anal. 2 (1967) 226.
+struct Strip {
+  double per_cycle = 0;  ///< E times the change of the axial strain
+};
+Strip run_strip(double primary, double thermal) {
+  const std::string toml = fmt::format(
+      R"toml({}
+        [bodies.strip]
+        region = "strip"
+        material = "alloy"
+        [generalized_plane_strain]
+        force = {}
+        [materials.alloy]
+        young_modulus = 1000
+        poisson_ratio = 0
+        thermal_expansion = 1e-3
+        reference_temperature = 0
+        plasticity = {{ yield_stress = 1 }}
+        [temperature]
+        value = "{}*(x - 0.5)*(1 - cos(2*_pi*t))/2"
+        [time]
+        end = 6
+        output = [1, 2, 3, 4, 5]
+      )toml",
+      section_of("generalized_plane_strain"), 0.02 * primary, 2 * thermal);
+  const Outcome strip = run_case(
+      toml + support("strip_x0", "x") + support("strip_y0", "y") + probe("strain", "axial_strain", "body = \"strip\""),
+      regions_geo({{"strip", {0, 1, 40}, {0, 0.02, 1}}}));
+  return {1000 * (strip.history.at("strain", 6) - strip.history.at("strain", 5))};
+}
+
+TEST(PlasticStrip, ShakesDownOrRatchetsAsBreeSays) {
+  EXPECT_NEAR(run_strip(0.4, 0.5).per_cycle, 0, 1e-9) << "elastic";
+  EXPECT_NEAR(run_strip(0.5, 1.2).per_cycle, 0, 1e-9) << "shakedown";
+  EXPECT_NEAR(run_strip(0.2, 3).per_cycle, 0, 1e-6) << "reverse plasticity";
+  EXPECT_RELATIVE(run_strip(0.7, 1.25).per_cycle, 2 * 1.25 * (1 - 2 * std::sqrt(0.3 / 1.25)), 1e-2);
+  EXPECT_RELATIVE(run_strip(0.3, 4).per_cycle, 2 * (0.3 * 4 - 1), 1e-2);
+}
+
+// The elements do not lock, and curved ones with inner displacements flow as the others.
+TEST(PlasticCylinder, IsTheSameInAllAnalysesAndElements) {
+  struct Mesh {
+    std::string analysis;
+    bool triangles;
+  };
+  for (const Mesh& mesh : {Mesh{"plane_strain", false}, Mesh{"plane_strain", true}}) {
+    const std::string toml = section_of(mesh.analysis) + wall_of_alloy + R"toml(
+      [[loads]]
+      on = "wall_x0"
+      pressure = { t = [0, 1], values = [0, 0.75] }
+      [time]
+      end = 1
+    )toml" + support("wall_y0", "y") +
+                             support("wall_y1", "x") +
+                             probe("outside", "displacement_x", "at = [2, 0, 0]\nbody = \"wall\"");
+    const Outcome wall =
+        run_case(toml, regions_geo({{"wall", {1, 2, 12}, {0, std::numbers::pi / 2, 12}, true, mesh.triangles}}));
+    const double c = plastic_radius(0.75);
+    EXPECT_RELATIVE(wall.history.at("outside", 1), 1.5 * k * c * c / 2 / 1000, 5e-3) << mesh.triangles;
+  }
+}
+
+// log_adams continues exactly; the others within the tolerance.
+TEST(PlasticRun, IsTheSameWhenResumed) {
+  const CaseDirectory directory(regions_geo({{"wall", {1, 2, 8}, {0, 0.05, 1}}}));
+  const std::string creep = "creep = [{ law = \"norton\", A = 3e-4, n = 5 }]\n";
+  for (const std::string& law : {creep, std::string()}) {
+    const config::Config config =
+        directory.config(cylinder_toml(law, R"({ t = [0, 1, 5, 6], values = [0, 0.75, 0.75, 0.2] })",
+                                       "end = 8\noutput = [0.5, 1, 2, 5, 5.5, 7]"),
+                         {"time.integrator=log_adams"});
+    std::filesystem::remove_all(directory.path() / "whole");
+    std::filesystem::remove_all(directory.path() / "parts");
+    expect_same_when_resumed(config, directory.path(), {0.7, 3, 5.2});
+  }
 }
 
 }  // namespace

@@ -1,0 +1,26 @@
+// Half of a bolted joint, axisymmetric about the axis of the bolt (y): shank and head of an M16 bolt, and the clamped sleeve. [mm]
+DefineConstant[ shank = 7.05, head = 12, bore = 8.5, sleeve = 22, half = 40, height = 10, n = 1 ];
+Point(1) = {0, 0, 0}; Point(2) = {shank, 0, 0}; Point(3) = {shank, half, 0}; Point(4) = {bore, half, 0};
+Point(5) = {head, half, 0}; Point(6) = {head, half + height, 0}; Point(7) = {bore, half + height, 0};
+Point(8) = {shank, half + height, 0}; Point(9) = {0, half + height, 0}; Point(10) = {0, half, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 10}; Line(4) = {10, 1};
+Line(5) = {3, 4}; Line(6) = {4, 5}; Line(7) = {5, 6}; Line(8) = {6, 7}; Line(9) = {7, 8}; Line(10) = {8, 9}; Line(11) = {9, 10};
+Line(12) = {3, 8}; Line(13) = {4, 7};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Curve Loop(2) = {-3, 12, 10, 11}; Plane Surface(2) = {2};
+Curve Loop(3) = {5, 13, 9, -12}; Plane Surface(3) = {3};
+Curve Loop(4) = {6, 7, 8, -13}; Plane Surface(4) = {4};
+Transfinite Curve{1, 3, 10} = 4*n + 1; Transfinite Curve{2, 4} = 12*n + 1; Transfinite Curve{5, 9} = n + 1;
+Transfinite Curve{6, 8} = 3*n + 1; Transfinite Curve{7, 11, 12, 13} = 4*n + 1;
+Transfinite Surface{1, 2, 3, 4}; Recombine Surface{1, 2, 3, 4};
+Point(21) = {bore, 0, 0}; Point(22) = {head, 0, 0}; Point(23) = {sleeve, 0, 0}; Point(24) = {sleeve, half, 0};
+Point(25) = {head, half, 0}; Point(26) = {bore, half, 0};
+Line(21) = {21, 22}; Line(22) = {22, 23}; Line(23) = {23, 24}; Line(24) = {24, 25}; Line(25) = {25, 26}; Line(26) = {26, 21};
+Line(27) = {22, 25};
+Curve Loop(21) = {21, 27, 25, 26}; Plane Surface(21) = {21};
+Curve Loop(22) = {22, 23, 24, -27}; Plane Surface(22) = {22};
+Transfinite Curve{21, 25} = 4*n + 1; Transfinite Curve{22, 24} = 6*n + 1; Transfinite Curve{23, 26, 27} = 12*n + 1;
+Transfinite Surface{21, 22}; Recombine Surface{21, 22};
+Physical Surface("bolt") = {1, 2, 3, 4}; Physical Surface("sleeve") = {21, 22};
+Physical Curve("under_head") = {6}; Physical Curve("seat") = {25};
+Physical Curve("middle") = {1, 21, 22};
