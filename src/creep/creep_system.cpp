@@ -17,10 +17,10 @@ namespace {
 constexpr double same_gamma = 1.25;
 /// Part of the strain of the tolerance at which hardening begins to count.
 constexpr double min_share = 0.3;
-constexpr double near_accepted = 0.1;            // of the tolerance: an evaluation so near represents an accepted point
-constexpr double max_flow_change = 0.1;          // of the stress in a step, relative to the yield stress
-const std::string flow_step_name = "flow_step";  // in memories
-constexpr double same_value = 1e-9;              // of equal values at points that symmetry makes equal
+constexpr double near_accepted = 0.1;    // of the tolerance: an evaluation so near represents an accepted point
+constexpr double max_flow_change = 0.1;  // of the stress in a step, relative to the yield stress
+const std::string flow_step_name = "flow_step", flow_error_name = "flow_error";  // in memories
+constexpr double same_value = 1e-9;  // of equal values at points that symmetry makes equal
 constexpr double min_sliding_step =
     1e-6;  // relative to the time: a body that slides off in so short a step does slide off
 
@@ -78,6 +78,8 @@ void CreepSystem::begin_segment(double begin, double end) {
   segment_end_ = end;
   yield_steps_.begin_segment();
   flow_step_.reset();
+  flow_error_.before = {};
+  history_.plastic.smooth_since = begin;
 }
 
 double CreepSystem::load_time(double t) const {
@@ -378,6 +380,7 @@ void CreepSystem::apply_preloads(double t, std::span<const double> y) {
 void CreepSystem::accept(double t, std::span<const double> y) {
   if (has_friction() || step_.equilibrium.plastic.flows) {
     if (!is_near(load_time(t), y, step_)) evaluate_step(t, y);
+    estimate_flow_error();
     History before = history_;
     const double begin = std::max(0.0, segment_begin_);
     std::vector<PathPoint> points = solver_.accept(
@@ -393,6 +396,14 @@ void CreepSystem::accept(double t, std::span<const double> y) {
   if (path_.has_substeps()) forget_evaluations();  // the state is that of the end of the path
 }
 
+void CreepSystem::estimate_flow_error() {
+  if (!step_.equilibrium.plastic.flows) return;
+  constexpr double of_pair = 0.5;  // each step is in two pairs
+  if (!flow_error_.before.bodies.empty())
+    flow_error_.sum += of_pair * solver_.plastic_error(flow_error_.before, step_.equilibrium);
+  flow_error_.before = history_.plastic;
+}
+
 void CreepSystem::accept_jump(double t, std::span<const double> y) {
   if (!has_friction() && !has_yielding()) return;
   if (has_friction() || evaluate_step(t, y).equilibrium.plastic.flows) accept(t, y);
@@ -403,6 +414,7 @@ void CreepSystem::save(Memory& memory) const {
   scale_.save(memory);
   yield_steps_.save(memory);
   memory.save(flow_step_name, flow_step_);
+  memory.save(flow_error_name, flow_error_);
 }
 
 void CreepSystem::restore(const Memory& memory) {
@@ -413,6 +425,7 @@ void CreepSystem::restore(const Memory& memory) {
 
 void CreepSystem::resume(double t, std::span<const double> y, const Memory& memory) {
   memory.restore(flow_step_name, flow_step_);
+  memory.restore(flow_error_name, flow_error_);
   if (yield_steps_.is_needed()) yield_steps_.resume(evaluate_step(t, y).equilibrium, memory);
 }
 

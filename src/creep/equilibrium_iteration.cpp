@@ -102,6 +102,10 @@ double EquilibriumSolver::yielding_excursion(double t, CreepStrains creep, const
   return flow.excursion(at);
 }
 
+double EquilibriumSolver::plastic_error(const PlasticHistory& before, const Equilibrium& at) const {
+  return PlasticFlow(assembly_, before, at.time, at.conditions, options_.plastic_tolerance, false).redone_error(at);
+}
+
 void EquilibriumSolver::resize(Equilibrium& into) const {
   into.bodies.resize(work_.size());
   for (std::size_t b = 0; b < work_.size(); ++b) {

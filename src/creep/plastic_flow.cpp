@@ -15,11 +15,18 @@ namespace {
 
 constexpr int mixing_depth = 10;
 constexpr int max_passes = 200;
-constexpr double yield_rounding = 1e-6;  // of the yield stress
-constexpr double max_flow = 100;         // elastic strains at yield, in one step: beyond is collapse
+constexpr int passes_before_collapse = 40;  // guesses on the way may be far off
+constexpr double yield_rounding = 1e-6;     // of the yield stress
+constexpr double max_flow = 100;            // elastic strains at yield, in one step: beyond is collapse
 
 std::int64_t signed_size(std::size_t n) {
   return static_cast<std::int64_t>(n);
+}
+
+/// False where the times differ by the rounding with which both sides of a jump are told apart.
+bool is_later(double t, double than) {
+  constexpr double instant = 1e-12;
+  return t - than > instant * std::abs(t);
 }
 
 }  // namespace
@@ -62,7 +69,8 @@ PlasticFlow::PlasticFlow(const Assembly& assembly, const PlasticHistory& from, d
     }
     body.is_active.assign(n, 0);
     // Flow goes on as in the last step, or stops.
-    if (const std::vector<double>& rate = from.bodies[b].rate; goes_on && !rate.empty() && t > from.time) {
+    if (const std::vector<double>& rate = from.bodies[b].rate;
+        goes_on && !rate.empty() && is_later(t, from.time) && is_later(from.time, from.smooth_since)) {
       body.guess.resize(rate.size());
       for (std::size_t i = 0; i < rate.size(); ++i) body.guess[i] = (t - from.time) * rate[i];
       for (std::size_t p = 0; p < n; ++p)
@@ -143,7 +151,7 @@ bool PlasticFlow::return_stress(const Equilibrium& at) {
     body.back = std::move(back);
     for (std::size_t p = 0; p < n; ++p) {
       if (found[p].accumulated == 0) continue;
-      require_limited_flow(body, p, found[p].accumulated);
+      if (n_iterations_ >= passes_before_collapse) require_limited_flow(body, p, found[p].accumulated);
       tensor::writable(body.flow, p) = found[p].strain;
       body.accumulated[p] = found[p].accumulated;
       activate(body, p);
@@ -213,6 +221,7 @@ double PlasticFlow::stress_norm(const Equilibrium& at) const {
 
 void PlasticFlow::finish(Equilibrium& into) const {
   into.plastic.time = time_;
+  into.plastic.smooth_since = from_.smooth_since;
   into.plastic.flows =
       assembly_.team().any(std::ranges::any_of(bodies_, [](const Body& body) { return !body.flow.empty(); }));
   into.plastic.bodies.resize(from_.bodies.size());
@@ -229,7 +238,7 @@ void PlasticFlow::finish(Equilibrium& into) const {
       after.strain.resize(6 * n);
       after.accumulated.resize(n);
       after.back.resize(n * width);
-      if (time_ > from_.time) after.rate.assign(6 * n, 0.0);
+      if (is_later(time_, from_.time)) after.rate.assign(6 * n, 0.0);
       const mechanics::ElasticState elastic = at_[body.number].elastic();
       for (const std::int32_t active : body.active) {
         const auto p = static_cast<std::size_t>(active);
@@ -268,6 +277,32 @@ double PlasticFlow::excursion(const Equilibrium& at) const {
   return assembly_.team().any(yields) ? largest : 0;
 }
 
+double PlasticFlow::redone_error(const Equilibrium& at) const {
+  constexpr double of_difference = 1.0 / 3;  // a double step of second order is off by four times two steps
+  double largest = 0;
+  for (const Body& body : bodies_) {
+    const PlasticState &before = from_.bodies[body.number], &now = at.plastic.bodies[body.number];
+    const mechanics::ElasticState elastic = at_[body.number].elastic();
+    const std::size_t width = 6 * body.law->n_back();
+    std::vector<double> back(width);
+    for (std::size_t p = 0; p < body.is_active.size() && !now.strain.empty(); ++p) {
+      Tensor6 change = tensor::view(now.strain, p);
+      if (!before.strain.empty()) change -= tensor::view(before.strain, p);
+      if (change.isZero(0)) continue;
+      const double mu = elastic.at(p).mu;
+      const Tensor6 trial = tensor::deviator(Tensor6(tensor::view(now.stress, p))) + 2 * mu * change;
+      const material::PlasticPoint from{
+          tensor::deviator(Tensor6(tensor::view(before.stress, p))),
+          before.accumulated.empty() ? 0 : before.accumulated[p],
+          before.back.empty() ? std::span<const double>() : std::span(before.back).subspan(p * width, width)};
+      const Tensor6 redone = body.law->flow(from, trial, mu, temperature(body, p), constants(body, p), back).strain;
+      const double yield = body.law->yield_stress(now.accumulated[p], temperature(body, p), constants(body, p)).stress;
+      largest = std::max(largest, of_difference * tensor::von_mises(Tensor6(2 * mu * (redone - change))) / yield);
+    }
+  }
+  return assembly_.team().max(largest);
+}
+
 bool PlasticFlow::advance(Equilibrium& into) {
   const bool flows = return_stress(into);
   const auto has_guess = [](const Body& body) { return !body.guess.empty(); };
@@ -281,6 +316,10 @@ bool PlasticFlow::advance(Equilibrium& into) {
   for (std::size_t i = 0; i < guess.size(); ++i) change += (flow[i] - guess[i]) * (flow[i] - guess[i]);
   change = std::sqrt(assembly_.team().sum(change));
   if (change <= tolerance_ * stress_norm(into)) {
+    for (const Body& body : bodies_)
+      for (const std::int32_t p : body.active)
+        if (!body.accumulated.empty())
+          require_limited_flow(body, static_cast<std::size_t>(p), body.accumulated[static_cast<std::size_t>(p)]);
     finish(into);
     return true;
   }

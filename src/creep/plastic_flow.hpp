@@ -42,6 +42,10 @@ class PlasticFlow {
   /// The largest change of the equivalent stress since the last accepted step, relative to the yield stress; 0 if the
   /// stress leaves the yield surface nowhere. @param at  of the first solve, without a guess
   double excursion(const Equilibrium& at) const;
+  /// An estimate of the error that the return has made in the last two steps, from the same way in one step: of the
+  /// equivalent stress, largest of all points, relative to the yield stress.
+  /// @param at  the end of the second step, whose history before both is that of this object
+  double redone_error(const Equilibrium& at) const;
 
  private:
   struct Body {

@@ -52,7 +52,9 @@ void check(const config::Config& given, std::ostream& report, const CheckOptions
     text += fmt::format("body '{}': {}, {} nodes, {} unknowns, {} integration points, material '{}'{}\n", body.name(),
                         element_names(body.mesh()), body.mesh().n_cell_nodes(), body.constraints().n_free(),
                         body.discretization().n_points(), body.material().name,
-                        body.material().creeps() ? "" : " (elastic)");
+                        body.material().plasticity ? (body.material().creeps() ? " (creeps and yields)" : " (yields)")
+                        : body.material().creeps() ? ""
+                                                   : " (elastic)");
     for (const std::string& warning : model::mesh_warnings(body)) text += "  warning: " + warning + "\n";
     std::string described;
     for (const mechanics::FreeMotion& motion : body.free_motions())

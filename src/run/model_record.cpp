@@ -71,6 +71,24 @@ class Recorder {
             {}};
   }
 
+  void add_plasticity(const config::Plasticity& given, io::RecordedTable& table) const {
+    const std::string stress = unit(Dimension::stress);
+    if (given.yield_stress) {
+      table.rows.push_back({"plasticity: yield stress", given.yield_stress->text(), stress});
+      table.rows.push_back({"plasticity: hardening modulus", given.hardening_modulus.text(), stress});
+    }
+    for (const config::PlasticCurve& curve : given.curve)
+      table.rows.push_back({curve.T ? fmt::format("plasticity: yield stress at T = {:g}", *curve.T)
+                                    : std::string("plasticity: yield stress"),
+                            fmt::format("{} at the plastic strains {}", fmt::join(curve.stress, ", "),
+                                        fmt::join(curve.plastic_strain, ", ")),
+                            stress});
+    for (const config::KinematicHardening& back : given.kinematic) {
+      table.rows.push_back({"plasticity: C of a back stress", back.C.text(), stress});
+      table.rows.push_back({"plasticity: gamma of a back stress", back.gamma.text(), ""});
+    }
+  }
+
   io::RecordedSection material(const config::Material& given) const {
     io::RecordedSection section{"Material " + given.name, {}, {}, {}};
     section.notes.push_back(given.sources.empty()
@@ -87,6 +105,9 @@ class Recorder {
       elastic.rows.push_back({"Young's modulus", given.young_modulus.text(), unit(Dimension::stress)});
       elastic.rows.push_back({"Poisson's ratio", given.poisson_ratio.text(), ""});
     }
+    if (given.yield_strength)
+      elastic.rows.push_back({"yield strength", given.yield_strength->text(), unit(Dimension::stress)});
+    if (given.plasticity) add_plasticity(*given.plasticity, elastic);
     if (given.hill) {
       elastic.rows.push_back({"Hill's ratios R11, R22, R33 of creep", vector_text(given.hill->normal), ""});
       elastic.rows.push_back({"Hill's ratios R12, R23, R13 of creep", vector_text(given.hill->shear), ""});

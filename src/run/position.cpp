@@ -25,6 +25,7 @@ StepView Position::view_at(double t, Source source) {
 void Position::describe(Summary& summary) const {
   summary.results.time_reached = state_.time;
   summary.results.method = integrator_->method();
+  if (context_.system().has_yielding()) summary.results.plastic_error = context_.system().plastic_error();
   static_cast<RunCounters&>(summary.results) = steps() + context_.system().run_counters();
 }
 

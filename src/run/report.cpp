@@ -106,6 +106,9 @@ std::string outcome_table(const io::Summary& summary) {
     text +=
         fmt::format("  body '{}' ruptured at t = {:.6g} {}\n", rupture->body, rupture->time, place(rupture->damage));
   if (summary.cycles) text += cycle_lines(*summary.cycles);
+  if (summary.plastic_error.value_or(0) > 0)
+    text += fmt::format("  plastic flow: estimated error of the stress {:.2g} of the yield stress\n",
+                        *summary.plastic_error);
   return text;
 }
 

@@ -254,6 +254,19 @@ TEST(PlasticCylinder, IsTheSameInAllAnalysesAndElements) {
   }
 }
 
+// The same way in half the steps tells how far off the flow is; on a straight path it is exact.
+TEST(PlasticRun, EstimatesTheErrorOfItsFlow) {
+  const std::string straight = R"({ t = [0, 1], values = [0, 0.4] })";
+  const Outcome bar = run_bar("plasticity = { yield_stress = 1, hardening_modulus = 50 }", straight, "end = 1");
+  EXPECT_LT(bar.summary.number("plastic_error"), 1e-6);
+  // Compressible: the axial stress comes into play as the zone grows, and the stress turns.
+  std::string compressible = cylinder_toml("", R"({ t = [0, 1], values = [0, 0.75] })", "end = 1");
+  compressible.replace(compressible.find("0.4999"), 6, "0.3");
+  const Outcome wall = run_case(compressible, regions_geo({{"wall", {1, 2, 20}, {0, 0.05, 1}}}));
+  EXPECT_GT(wall.summary.number("plastic_error"), 1e-5);
+  EXPECT_LT(wall.summary.number("plastic_error"), 2e-2);
+}
+
 // log_adams continues exactly; the others within the tolerance.
 TEST(PlasticRun, IsTheSameWhenResumed) {
   const CaseDirectory directory(regions_geo({{"wall", {1, 2, 8}, {0, 0.05, 1}}}));

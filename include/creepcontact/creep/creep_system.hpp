@@ -125,6 +125,8 @@ class CreepSystem final : public ode::System,
   const History& history() const { return history_; }
   bool has_friction() const { return history_.friction.slip.size() > 0; }
   bool has_yielding() const { return !history_.plastic.bodies.empty(); }
+  /// Sum over the steps of the estimated errors of plastic flow, of the equivalent stress relative to the yield stress.
+  double plastic_error() const { return flow_error_.sum; }
   /// True if states depend on the accepted ones before them, beyond what the differential equation has of them.
   bool depends_on_path() const { return has_friction() || has_yielding(); }
   /// Sets the state from which the integration continues. Call it after restore() and begin_segment(), with that
@@ -166,6 +168,7 @@ class CreepSystem final : public ode::System,
   double load_time(double t) const;
   /// The tangents at step_.
   const std::vector<std::vector<material::StressTangent>>& step_tangents();
+  void estimate_flow_error();
   double longest_step_of_flow(double t, std::span<const double> y);
   double smallest_start_exponent(double t, const Evaluation& at) const;
   std::string describe_overflow(const Evaluation& at, std::span<const double> rate) const;
@@ -185,6 +188,13 @@ class CreepSystem final : public ode::System,
   double segment_end_ = std::numeric_limits<double>::infinity();
   double tolerance_;
   YieldSteps yield_steps_;
+  /// What the error of plastic flow is estimated from.
+  struct FlowError {
+    double sum = 0;
+    PlasticHistory before;  ///< that of the last step; empty: it was the first of its segment
+    static constexpr auto members = std::tuple{Member{"sum", &FlowError::sum}, Member{"before", &FlowError::before}};
+  };
+  FlowError flow_error_;
   std::optional<double> flow_step_;  // bound on the steps of this segment by plastic flow; empty: not known yet
   History history_;
   LastPath path_;  // with friction: what happens within the last step starts from there

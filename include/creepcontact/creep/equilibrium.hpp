@@ -58,11 +58,12 @@ struct PlasticState {
 /// Yielding up to some time.
 struct PlasticHistory {
   double time = 0;
+  double smooth_since = 0;           ///< loads have no jump or kink between then and `time`
   bool flows = false;                ///< something has flowed in the last step
   std::vector<PlasticState> bodies;  ///< one per body; empty: nothing yields, whatever the stress
   static constexpr auto members =
-      std::tuple{Member{"time", &PlasticHistory::time}, Member{"flows", &PlasticHistory::flows},
-                 Member{"bodies", &PlasticHistory::bodies}};
+      std::tuple{Member{"time", &PlasticHistory::time}, Member{"smooth_since", &PlasticHistory::smooth_since},
+                 Member{"flows", &PlasticHistory::flows}, Member{"bodies", &PlasticHistory::bodies}};
 };
 
 /// A state of contact on the way of the loads, from which contact and slip go on.

@@ -70,6 +70,10 @@ class EquilibriumSolver {
   /// the largest change of the equivalent stress since the last accepted step, relative to the yield stress; 0 if
   /// nothing yields. Cost: as solve() without yielding
   double yielding_excursion(double t, CreepStrains creep, const History& history);
+  /// An estimate of the error that plastic flow has made in two steps, of the equivalent stress relative to the yield
+  /// stress: the largest of all points. @param before  the history before both @param at  the end of the second one
+  /// Cost: a pass over the points that have flowed
+  double plastic_error(const PlasticHistory& before, const Equilibrium& at) const;
 
   /// Change of stress for a change of creep strain, with the closed contacts of an equilibrium held closed. Uses the
   /// moduli of the factors times stiffness_scale, with a relative error of at most q. Strains that cause no stress

@@ -131,6 +131,7 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   if (!summary.message.empty()) json["message"] = summary.message;
   json["time_reached"] = summary.time_reached;
   if (summary.last_output) json["last_output"] = *summary.last_output;
+  if (summary.plastic_error) json["plastic_error"] = *summary.plastic_error;
   json["integrator"] = summary.integrator;
   if (!summary.method.empty()) json["method"] = summary.method;
   for (const RunCounters::Field& field : RunCounters::fields) json[std::string(field.name)] = summary.*field.value;

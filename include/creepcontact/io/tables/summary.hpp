@@ -118,6 +118,8 @@ struct Summary : RunCounters {
   std::string integrator;
   std::string method;  ///< integrator at work at the end, if `integrator` chose it; omitted if empty
   double time_reached = 0;
+  /// Estimated error of plastic flow, of the stress relative to the yield stress; nullopt: no material yields.
+  std::optional<double> plastic_error;
   std::optional<double> last_output;  ///< time of the last output, whose values are those of the end
   std::map<std::string, Body> bodies;
   /// Largest values per body, if its material has them.
