@@ -303,6 +303,7 @@ class LibraryUse {
         at = list->get(index);
       } else if (toml::table* inner = at->as_table(); inner != nullptr && is_last) {
         inner->insert_or_assign(steps[i], std::move(value));
+        return;
       } else {
         at = inner != nullptr ? inner->get(steps[i]) : nullptr;
         if (at == nullptr)
@@ -339,7 +340,7 @@ std::string units_for_library(const toml::table& document, const Location& root,
 
 /// The units of the model; empty if it has none that are understood.
 std::string known_units_of(const toml::table& document) {
-  const std::string text = document["units"].value<std::string>().value_or("");
+  std::string text = document["units"].value<std::string>().value_or("");
   try {
     unit_system(text);
     return text;

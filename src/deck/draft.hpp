@@ -47,9 +47,9 @@ struct Draft {
   void comment(const std::string& key, const std::string& text) { comments.beside[key] = text; }
   /// Adds an entry to a list of the configuration. @param from  what it is made of @returns its key: "loads[0]"
   template <class T>
-  std::string add(std::vector<T>& list, T entry, const std::string& name, const std::string& from) {
+  std::string add(std::vector<T>& list, T entry, const std::string& of_list, const std::string& from) {
     list.push_back(std::move(entry));
-    const std::string key = fmt::format("{}[{}]", name, list.size() - 1);
+    std::string key = fmt::format("{}[{}]", of_list, list.size() - 1);
     if (!from.empty()) comment(key, from);
     return key;
   }

@@ -226,6 +226,7 @@ void DataColumns::set_unit(ColumnRole role, const std::string& unit, const std::
 DataColumns::DataColumns(const std::string& file, const std::vector<std::string>& names) {
   std::array<std::string, n_column_roles> units;
   std::vector<std::string> known;
+  known.reserve(role_names.size());
   for (const RoleName& role : role_names) known.emplace_back(role.name);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Heading heading = heading_of(names[i]);

@@ -97,7 +97,7 @@ class Completion(CompletionTest):
         self.assertEqual(self.complete("run case.toml --set materials.steel.creep.1.flu"),
                          ["materials.steel.creep.1.fluidity="])
         self.assertEqual(self.complete("run case.toml --set contacts.0.ga"), ["contacts.0.gap="])
-        self.assertEqual(self.complete("run case.toml --set materials.steel.y"), ["materials.steel.young_modulus="])
+        self.assertEqual(self.complete("run case.toml --set materials.steel.yo"), ["materials.steel.young_modulus="])
         self.assertEqual(self.complete("run --set bodies."), [])
         self.assertFalse((self.directory / "trap").exists())
 

@@ -109,6 +109,10 @@ poisson_ratio = 0.3
 law = "norton"
 A = 1e-20
 n = 5
+[materials.steel.plasticity]
+yield_stress = 200
+[[materials.steel.plasticity.kinematic]]
+C = 1
 [materials.steel.rupture]
 stress = [50, 100]
 parameter = [2e4, 1e4]

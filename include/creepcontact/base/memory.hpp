@@ -246,7 +246,7 @@ void Memory::restore(const std::string& name, T& object, const std::tuple<Member
 }
 
 inline void Memory::add(const std::string& name, Memory part) {
-  for (auto& [array, values] : part) (*this)[saved::joined(name, array)] = std::move(values);
+  for (auto& entry : part) (*this)[saved::joined(name, entry.first)] = std::move(entry.second);
 }
 
 inline Memory Memory::part(const std::string& name) const {

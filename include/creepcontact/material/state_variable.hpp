@@ -54,7 +54,7 @@ inline constexpr StateVariable plastic_strain{.name = "plastic_strain",
 inline constexpr StateVariable plastic_strain_equivalent{
     .name = "plastic_strain_equivalent",
     .description = "accumulated equivalent plastic strain of `plasticity`",
-    .label = "accumulated plastic strain"};
+    .label = "plastic strain (equiv.)"};
 
 /// Laws with rupture give 1/(time to rupture).
 inline constexpr StateVariable remaining_life{
