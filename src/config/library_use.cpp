@@ -356,6 +356,7 @@ void insert_library_data(toml::table& document, const std::string& file, const V
   toml::table* materials = document["materials"].as_table();
   if (materials == nullptr) return;
   const Location root{.file = file, .line = 1, .column = 1};
+  const std::string known_units = known_units_of(document);
   std::optional<std::string> units;
   for (auto&& [name, node] : *materials) {
     toml::table* material = node.as_table();
@@ -366,7 +367,7 @@ void insert_library_data(toml::table& document, const std::string& file, const V
       const bool has_cycles = static_cast<bool>(document["time"]["cycle"]);
       LibraryUse(item, *material, *units, has_cycles, vocabulary, context).insert();
     }
-    apply_own_units(item, *material, known_units_of(document), vocabulary, context.errors);
+    apply_own_units(item, *material, known_units, vocabulary, context.errors);
   }
 }
 

@@ -76,11 +76,6 @@ void convert_law(toml::table& block, const Law& law, const UnitConversion& units
   }
 }
 
-/// No conversion where one of the sets is not understood.
-UnitChange change_between(const std::string& from, const std::string& to) {
-  return unit_change(unit_system(from), unit_system(to));
-}
-
 bool is_none(const UnitChange& change) {
   return change.stress == 1 && change.time == 1 && change.length == 1 && change.degree == 1 && change.zero == 0;
 }
@@ -88,7 +83,10 @@ bool is_none(const UnitChange& change) {
 }  // namespace
 
 MaterialUnits::MaterialUnits(const std::string& from, const std::string& to, const Vocabulary& vocabulary)
-    : conversion_(change_between(from, to)), same_(is_none(change_between(from, to))), vocabulary_(vocabulary) {}
+    : MaterialUnits(unit_change(unit_system(from), unit_system(to)), vocabulary) {}
+
+MaterialUnits::MaterialUnits(const UnitChange& change, const Vocabulary& vocabulary)
+    : conversion_(change), same_(is_none(change)), vocabulary_(vocabulary) {}
 
 std::vector<std::string> converted_properties() {
   std::vector<std::string> keys;

@@ -29,6 +29,8 @@ class MaterialUnits {
   void convert_material(toml::table& material) const;
 
  private:
+  MaterialUnits(const UnitChange& change, const Vocabulary& vocabulary);
+
   UnitConversion conversion_;
   bool same_;
   const Vocabulary& vocabulary_;

@@ -350,13 +350,11 @@ double CreepSystem::longest_step_of_flow(double t, std::span<const double> y) {
   if (!flow_step_) {
     std::vector<mechanics::CreepStrainView> views;
     laws_.layout().views(y, views);
-    double excursion = std::numeric_limits<double>::infinity();
+    double excursion = 1;
     try {
       excursion = solver_.yielding_excursion(load_time(segment_end_), views, history_);
     } catch (const SolverError&) {  // the step will tell
-      excursion = 1;
     } catch (const ModelError&) {
-      excursion = 1;
     }
     flow_step_ =
         excursion > 0 ? (segment_end_ - t) * max_flow_change / excursion : std::numeric_limits<double>::infinity();

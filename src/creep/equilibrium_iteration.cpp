@@ -8,10 +8,10 @@
 #include "contact_broadcast.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
-#include "creepcontact/numerics/point_sums.hpp"
 #include "plastic_flow.hpp"
 #include "slip_advance.hpp"
 #include "stiffness_change.hpp"
+#include "stress_norm.hpp"
 #include "vector_views.hpp"
 
 namespace creepcontact::creep {
@@ -23,16 +23,6 @@ constexpr double stalled = 0.9;      // an iteration that changes more than this
 constexpr double farthest = 2;       // extrapolation, in steps
 constexpr int plain_iterations = 2;  // before round-off is thought of
 constexpr double good_if_stalled = 1e-8;  // of the displacement: rounding in an ill-conditioned stiffness
-
-/// Twice the elastic energy, integral sigma H^-1 sigma.
-double elastic_energy(const mechanics::Discretization& discretization, const mechanics::ElasticState& elastic,
-                      const std::vector<double>& stress) {
-  const std::span<const double> weights = discretization.weights();
-  return numerics::sum_over_points(stress.size() / 6, [&](std::size_t p) {
-    const tensor::ConstMap sigma = tensor::view(stress, p);
-    return weights[p] * sigma.dot(elastic.elastic_strain(p, sigma));
-  });
-}
 
 /// What the last two accepted steps lead to. @param steps  with the factors in use, the last one first; not empty
 FreeDisplacements extrapolated(double t, const std::vector<const History::Accepted*>& steps) {
@@ -48,7 +38,7 @@ FreeDisplacements extrapolated(double t, const std::vector<const History::Accept
   return result;
 }
 
-/// Energy norms of an equilibrium.
+/// Energy norm of the displacements of an equilibrium.
 double displacement_norm(const Assembly& assembly, const Equilibrium& of) {
   double sum = 0;
   std::vector<double> stress;
@@ -61,13 +51,6 @@ double displacement_norm(const Assembly& assembly, const Equilibrium& of) {
   }
   return std::sqrt(assembly.team().sum(sum));
 }
-double stress_norm(const Assembly& assembly, const Equilibrium& of) {
-  double sum = 0;
-  for (std::size_t b = 0; b < of.bodies.size(); ++b)
-    sum += elastic_energy(assembly.bodies()[b].discretization(), of.conditions[b].elastic(), of.bodies[b].stress);
-  return std::sqrt(assembly.team().sum(sum));
-}
-
 }  // namespace
 
 void EquilibriumSolver::refactorize(const std::vector<mechanics::BodyConditions>& at) {

@@ -29,6 +29,44 @@ struct SolverState {
                  Member{"sweeps_given_up", &SolverState::sweeps_given_up}};
 };
 
+/// Calls apply(part) with growing parts of the loads, the last one 1. What apply() cannot carry is tried in half the
+/// step, six times at most. @param longest  part that is added at a time
+template <typename Apply>
+void load_in_parts(double longest, const Apply& apply) {
+  const double shortest = longest / 64;
+  double reached = 0, step = longest;
+  const auto halve = [&] {
+    step /= 2;
+    return step >= shortest;
+  };
+  while (reached < 1) {
+    // Equal steps end where they should in spite of round-off.
+    const double part = reached + step > 1 - 1e-9 ? 1 : reached + step;
+    try {
+      apply(part);
+    } catch (const SolverError&) {
+      if (!halve()) throw;
+      continue;
+    } catch (const contact::SlidingOff&) {
+      if (!halve()) throw;
+      continue;
+    }
+    reached = part;
+    step = std::min(2 * step, longest);
+  }
+}
+
+/// Sets the time of what the first loads have left to 0: nothing is known of rates.
+void begin_path(History& history) {
+  if (history.friction.slip.size() > 0) {
+    history.friction.time = 0;
+    history.friction.rate.setZero();
+    history.friction.is_fresh = true;
+  }
+  history.plastic.time = 0;
+  for (PlasticState& body : history.plastic.bodies) body.rate.clear();
+}
+
 /// These conditions with a part of their loads, prescribed displacements and thermal strains.
 std::vector<mechanics::BodyConditions> part_of(const std::vector<mechanics::BodyConditions>& full, double part) {
   std::vector<mechanics::BodyConditions> result = full;
@@ -207,11 +245,7 @@ History EquilibriumSolver::initial_elastic_history(int substeps) {
   forward();
   add_traces(full.gap);
   const Eigen::VectorXd unloaded = interface_.rows().unloaded_gap();
-  const double longest = has_friction ? 1.0 / substeps : 1.0, shortest = longest / 64;
-  double reached = 0, step = longest;
-  while (reached < 1) {
-    // Equal steps end where they should in spite of round-off.
-    const double part = reached + step > 1 - 1e-9 ? 1 : reached + step;
+  load_in_parts(has_friction ? 1.0 / substeps : 1.0, [&](double part) {
     contact::InterfaceLoad load = full;
     load.gap = part * full.gap + (1 - part) * unloaded;
     at.time = part;  // for the rates of slip
@@ -225,30 +259,14 @@ History EquilibriumSolver::initial_elastic_history(int substeps) {
       solve_contact(with_interference, trial.contact, at);
       return at;
     };
-    try {
-      if (preloads.empty())
-        solve(history);
-      else
-        find_interference(preloads, part, history, solve);
-    } catch (const SolverError&) {
-      step /= 2;
-      if (step < shortest) throw;
-      continue;
-    } catch (const contact::SlidingOff&) {
-      step /= 2;
-      if (step < shortest) throw;
-      continue;
-    }
+    if (preloads.empty())
+      solve(history);
+    else
+      find_interference(preloads, part, history, solve);
     if (has_friction) history.friction = slip_until(at, history);
     history.contact = at.contact;
-    reached = part;
-    step = std::min(2 * step, longest);
-  }
-  if (has_friction) {
-    history.friction.time = 0;
-    history.friction.rate.setZero();
-    history.friction.is_fresh = true;
-  }
+  });
+  begin_path(history);
   history.preloaded_until = 0;
   return history;
 }
@@ -262,43 +280,22 @@ History EquilibriumSolver::initial_yielding_history(int substeps) {
   const std::vector<mechanics::CreepStrainView> no_creep(work_.size());
   Equilibrium at;
   resize(at);
-  const double longest = 1.0 / substeps, shortest = longest / 64;
-  double reached = 0, step = longest;
-  while (reached < 1) {
-    const double part = reached + step > 1 - 1e-9 ? 1 : reached + step;
+  load_in_parts(1.0 / substeps, [&](double part) {
     at.time = part;  // for rates
     at.conditions = part_of(full, part);
     const auto solve = [&](const History& trial) -> const Equilibrium& {
       equilibrate_yielding(no_creep, trial, part, at);
       return at;
     };
-    try {
-      if (preloads.empty())
-        solve(history);
-      else
-        find_interference(preloads, part, history, solve);
-      if (has_friction) history.friction = slip_until(at, history);
-    } catch (const SolverError&) {
-      step /= 2;
-      if (step < shortest) throw;
-      continue;
-    } catch (const contact::SlidingOff&) {
-      step /= 2;
-      if (step < shortest) throw;
-      continue;
-    }
+    if (preloads.empty())
+      solve(history);
+    else
+      find_interference(preloads, part, history, solve);
+    if (has_friction) history.friction = slip_until(at, history);
     history.contact = at.contact;
     history.plastic = at.plastic;
-    reached = part;
-    step = std::min(2 * step, longest);
-  }
-  if (has_friction) {
-    history.friction.time = 0;
-    history.friction.rate.setZero();
-    history.friction.is_fresh = true;
-  }
-  history.plastic.time = 0;
-  for (PlasticState& body : history.plastic.bodies) body.rate.clear();
+  });
+  begin_path(history);
   history.preloaded_until = 0;
   return history;
 }

@@ -8,7 +8,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/numerics/parallel.hpp"
-#include "creepcontact/numerics/point_sums.hpp"
+#include "stress_norm.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -21,6 +21,12 @@ constexpr double max_flow = 100;            // elastic strains at yield, in one 
 
 std::int64_t signed_size(std::size_t n) {
   return static_cast<std::int64_t>(n);
+}
+
+/// What a point has from its accepted past. @param width  of its back stresses: 6 n_back
+material::PlasticPoint point_of(const PlasticState& of, std::size_t point, std::size_t width) {
+  return {tensor::deviator(Tensor6(tensor::view(of.stress, point))), of.accumulated.empty() ? 0 : of.accumulated[point],
+          of.back.empty() ? std::span<const double>() : std::span(of.back).subspan(point * width, width)};
 }
 
 /// False where the times differ by the rounding with which both sides of a jump are told apart.
@@ -127,10 +133,7 @@ bool PlasticFlow::return_stress(const Equilibrium& at) {
     const auto flow_at = [&](std::size_t p, std::span<double> back) {
       Tensor6 trial = tensor::deviator(Tensor6(tensor::view(stress, p)));
       if (!body.guess.empty()) trial += 2 * elastic.at(p).mu * tensor::view(body.guess, p);
-      const material::PlasticPoint from{
-          tensor::deviator(Tensor6(tensor::view(before.stress, p))),
-          before.accumulated.empty() ? 0 : before.accumulated[p],
-          before.back.empty() ? std::span<const double>() : std::span(before.back).subspan(p * width, width)};
+      const material::PlasticPoint from = point_of(before, p, width);
       return body.law->flow(from, trial, elastic.at(p).mu, temperature(body, p), constants(body, p), back);
     };
     std::vector<material::PlasticFlowStep> found(n);
@@ -206,19 +209,6 @@ void PlasticFlow::scatter(std::span<const double> guess) {
   }
 }
 
-double PlasticFlow::stress_norm(const Equilibrium& at) const {
-  double sum = 0;
-  for (std::size_t b = 0; b < at.bodies.size(); ++b) {
-    const std::span<const double> weights = assembly_.bodies()[b].discretization().weights();
-    const mechanics::ElasticState elastic = at_[b].elastic();
-    sum += numerics::sum_over_points(at.bodies[b].stress.size() / 6, [&](std::size_t p) {
-      const tensor::ConstMap sigma = tensor::view(at.bodies[b].stress, p);
-      return weights[p] * sigma.dot(elastic.elastic_strain(p, sigma));
-    });
-  }
-  return std::sqrt(assembly_.team().sum(sum));
-}
-
 void PlasticFlow::finish(Equilibrium& into) const {
   into.plastic.time = time_;
   into.plastic.smooth_since = from_.smooth_since;
@@ -264,12 +254,10 @@ double PlasticFlow::excursion(const Equilibrium& at) const {
     const std::size_t width = 6 * body.law->n_back();
     for (std::size_t p = 0; p < body.is_active.size(); ++p) {
       const Tensor6 now = tensor::view(at.bodies[body.number].stress, p), then = tensor::view(before.stress, p);
-      const double accumulated = before.accumulated.empty() ? 0 : before.accumulated[p];
-      const double yield = body.law->yield_stress(accumulated, temperature(body, p), constants(body, p)).stress;
-      const auto back =
-          before.back.empty() ? std::span<const double>() : std::span(before.back).subspan(p * width, width);
+      const material::PlasticPoint from = point_of(before, p, width);
+      const double yield = body.law->yield_stress(from.accumulated, temperature(body, p), constants(body, p)).stress;
       largest = std::max(largest, tensor::von_mises(Tensor6(now - then)) / yield);
-      yields = yields || tensor::von_mises(Tensor6(now - body.law->back_stress(back, constants(body, p)))) >
+      yields = yields || tensor::von_mises(Tensor6(now - body.law->back_stress(from.back, constants(body, p)))) >
                              (1 + yield_rounding) * yield;
     }
   }
@@ -291,10 +279,7 @@ double PlasticFlow::redone_error(const Equilibrium& at) const {
       if (change.isZero(0)) continue;
       const double mu = elastic.at(p).mu;
       const Tensor6 trial = tensor::deviator(Tensor6(tensor::view(now.stress, p))) + 2 * mu * change;
-      const material::PlasticPoint from{
-          tensor::deviator(Tensor6(tensor::view(before.stress, p))),
-          before.accumulated.empty() ? 0 : before.accumulated[p],
-          before.back.empty() ? std::span<const double>() : std::span(before.back).subspan(p * width, width)};
+      const material::PlasticPoint from = point_of(before, p, width);
       const Tensor6 redone = body.law->flow(from, trial, mu, temperature(body, p), constants(body, p), back).strain;
       const double yield = body.law->yield_stress(now.accumulated[p], temperature(body, p), constants(body, p)).stress;
       largest = std::max(largest, of_difference * tensor::von_mises(Tensor6(2 * mu * (redone - change))) / yield);
@@ -315,7 +300,7 @@ bool PlasticFlow::advance(Equilibrium& into) {
   double change = 0;
   for (std::size_t i = 0; i < guess.size(); ++i) change += (flow[i] - guess[i]) * (flow[i] - guess[i]);
   change = std::sqrt(assembly_.team().sum(change));
-  if (change <= tolerance_ * stress_norm(into)) {
+  if (change <= tolerance_ * stress_norm(assembly_, into)) {
     for (const Body& body : bodies_)
       for (const std::int32_t p : body.active)
         if (!body.accumulated.empty())
@@ -327,7 +312,7 @@ bool PlasticFlow::advance(Equilibrium& into) {
     throw SolverError(
         fmt::format("the plastic strain at t = {:.6g} is not found in {} iterations; its change is still {:.2g} of the "
                     "stress: the loads may be near what the bodies can carry",
-                    time_, max_passes, change / stress_norm(into)));
+                    time_, max_passes, change / stress_norm(assembly_, into)));
   std::vector<double> next(guess.size());
   mixing_.mix(guess, flow, next);
   scatter(next);

@@ -69,7 +69,6 @@ class PlasticFlow {
   void gather(std::vector<double>& guess, std::vector<double>& flow) const;
   void scatter(std::span<const double> guess);
   double root_of_energy(const Body& body, std::size_t point) const;
-  double stress_norm(const Equilibrium& at) const;
   void finish(Equilibrium& into) const;
 
   const Assembly& assembly_;
