@@ -203,7 +203,8 @@ Value<ContactSolver> contact_solver_table() {
                            "with friction: semismooth Newton method, or Tresca's law iterated by the Schwarz method; "
                            "sweeps (`acceleration` other than `\"cg\"`) always take the latter"),
       field<ContactSolver>("initial_substeps", &ContactSolver::initial_substeps, integer(1, 10'000),
-                           "with friction: number of proportional steps in which the loads of t = 0 are applied"),
+                           "with friction, and where something yields: number of proportional steps in which the loads "
+                           "of t = 0 are applied"),
       field<ContactSolver>("dense_limit_mb", &ContactSolver::dense_limit_mb, number(at_least(0)),
                            "memory [MB] allowed for the matrices of the contact zones; if they need more, contact is "
                            "solved without them, by iterations with the factorised stiffness")

@@ -82,6 +82,16 @@ void check_temperature(const Config& config, const Item& root, Diagnostics& erro
            {std::pair(&given->young_moduli, "young_moduli"), std::pair(&given->poisson_ratios, "poisson_ratios"),
             std::pair(&given->shear_moduli, "shear_moduli")})
         for (const Function& constant : *constants) check(constant, table.child("orthotropic").child(key).location);
+    if (const auto& given = material.plasticity) {
+      const Item plasticity = table.child("plasticity");
+      if (given->yield_stress) check(*given->yield_stress, plasticity.child("yield_stress").location);
+      check(given->hardening_modulus, plasticity.child("hardening_modulus").location);
+      if (given->curve.size() > 1) report(plasticity.child("curve").location);
+      for (const KinematicHardening& back : given->kinematic)
+        for (const Function* constant : {&back.C, &back.gamma})
+          check(*constant, plasticity.child("kinematic").location);
+    }
+    if (material.yield_strength) check(*material.yield_strength, table.child("yield_strength").location);
     if (material.rupture && by_temperature(*material.rupture)) report(material.rupture->location);
     if (material.fatigue && material.fatigue->cycles_to_failure)
       check(*material.fatigue->cycles_to_failure, table.child("fatigue").child("cycles_to_failure").location);

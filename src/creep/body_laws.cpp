@@ -17,35 +17,50 @@ PointsState BodyLaws::state(std::size_t body, const Evaluation& at, std::span<co
 
 namespace {
 
-bool is_plastic(const material::StateVariable& variable) {
-  return &variable == &material::plastic_strain || &variable == &material::plastic_strain_equivalent;
+/// Whether the plasticity of a material gives a variable.
+bool has_plastic(const material::Material& of, const material::StateVariable& variable) {
+  if (of.plasticity == nullptr) return false;
+  return &variable == &material::plastic_strain || &variable == &material::plastic_strain_equivalent ||
+         &variable == &material::yield_stress || (&variable == &material::back_stress && of.plasticity->n_back() > 0);
 }
 
 /// Values of what has not flowed are zero.
-std::vector<double> plastic_values(const material::StateVariable& variable, const PlasticState& state,
-                                   std::size_t n_points) {
-  const bool is_tensor = &variable == &material::plastic_strain;
-  std::vector<double> values = is_tensor ? state.strain : state.accumulated;
-  values.resize(n_points * static_cast<std::size_t>(variable.width()));
+std::vector<double> plastic_values(const material::StateVariable& variable, const mechanics::Body& body,
+                                   const PlasticState& state, const mechanics::BodyConditions& at) {
+  const std::size_t n = body.discretization().n_points();
+  std::vector<double> values;
+  if (&variable == &material::plastic_strain) values = state.strain;
+  if (&variable == &material::plastic_strain_equivalent) values = state.accumulated;
+  values.resize(n * static_cast<std::size_t>(variable.width()));
+  const bool is_yield_stress = &variable == &material::yield_stress;
+  if (!is_yield_stress && &variable != &material::back_stress) return values;
+  const material::Plasticity& law = *body.material().plasticity;
+  const std::size_t width = 6 * law.n_back();
+  std::vector<double> constants(law.n_constants());
+  for (std::size_t p = 0; p < n; ++p) {
+    const double T = at.temperature.empty() ? body.material().reference_temperature : at.temperature[p];
+    law.evaluate(T, constants);
+    if (is_yield_stress)
+      values[p] = law.yield_stress(state.accumulated.empty() ? 0 : state.accumulated[p], T, constants).stress;
+    else if (!state.back.empty())
+      tensor::writable(values, p) = law.back_stress(std::span(state.back).subspan(p * width, width), constants);
+  }
   return values;
 }
 
 }  // namespace
 
 bool BodyLaws::has(const material::StateVariable& variable) const {
-  if (is_plastic(variable))
-    return std::ranges::any_of(assembly_->bodies(),
-                               [](const mechanics::Body& body) { return body.material().plasticity != nullptr; });
-  return std::ranges::any_of(points_, [&](const MaterialPoints& points) { return points.has(variable); });
+  return std::ranges::any_of(assembly_->bodies(),
+                             [&](const mechanics::Body& body) { return has_plastic(body.material(), variable); }) ||
+         std::ranges::any_of(points_, [&](const MaterialPoints& points) { return points.has(variable); });
 }
 
 std::vector<double> BodyLaws::evaluate(const material::StateVariable& variable, std::size_t body, const Evaluation& at,
                                        std::span<const double> y) const {
-  if (is_plastic(variable)) {
-    if (assembly_->bodies()[body].material().plasticity == nullptr || at.equilibrium.plastic.bodies.empty()) return {};
-    return plastic_values(variable, at.equilibrium.plastic.bodies[body],
-                          assembly_->bodies()[body].discretization().n_points());
-  }
+  const mechanics::Body& of = assembly_->bodies()[body];
+  if (has_plastic(of.material(), variable) && !at.equilibrium.plastic.bodies.empty())
+    return plastic_values(variable, of, at.equilibrium.plastic.bodies[body], at.equilibrium.conditions[body]);
   if (!points_[body].has(variable)) return {};
   return points_[body].evaluate(variable, state(body, at, y));
 }

@@ -9,6 +9,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/numerics/long_vectors.hpp"
+#include "flow_vector.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -17,10 +18,8 @@ namespace {
 constexpr double same_gamma = 1.25;
 /// Part of the strain of the tolerance at which hardening begins to count.
 constexpr double min_share = 0.3;
-constexpr double near_accepted = 0.1;    // of the tolerance: an evaluation so near represents an accepted point
-constexpr double max_flow_change = 0.1;  // of the stress in a step, relative to the yield stress
-const std::string flow_step_name = "flow_step", flow_error_name = "flow_error";  // in memories
-constexpr double same_value = 1e-9;  // of equal values at points that symmetry makes equal
+constexpr double near_accepted = 0.1;  // of the tolerance: an evaluation so near represents an accepted point
+constexpr double same_value = 1e-9;    // of equal values at points that symmetry makes equal
 constexpr double min_sliding_step =
     1e-6;  // relative to the time: a body that slides off in so short a step does slide off
 
@@ -50,8 +49,21 @@ void require_finite_stress(const Assembly& assembly, const Equilibrium& at) {
   }
 }
 
-bool jumps(const contact::ContactState& from, const contact::ContactState& to, double tolerance) {
-  return (to.multiplier - from.multiplier).cwiseAbs().maxCoeff() > tolerance * to.multiplier.cwiseAbs().maxCoeff();
+/// Whether the end of the path has other tractions, or other stresses of bodies that may yield, than the step had.
+bool jumps(const Team& team, const Equilibrium& from, const History& to, double tolerance) {
+  const auto differ = [tolerance](const auto& a, const auto& b) {
+    return a.size() > 0 && (a - b).cwiseAbs().maxCoeff() > tolerance * b.cwiseAbs().maxCoeff();
+  };
+  if (differ(from.contact.multiplier, to.contact.multiplier)) return true;
+  bool any = false;
+  for (std::size_t b = 0; b < to.plastic.bodies.size(); ++b) {
+    const std::vector<double>&first = from.bodies[b].stress, &last = to.plastic.bodies[b].stress;
+    const auto view = [&](const std::vector<double>& of) {
+      return Eigen::Map<const Eigen::ArrayXd>(of.data(), std::ssize(last));
+    };
+    any = any || differ(view(first).matrix(), view(last).matrix());
+  }
+  return team.any(any);
 }
 
 }  // namespace
@@ -64,8 +76,7 @@ CreepSystem::CreepSystem(EquilibriumSolver& solver, const ElasticSurvey& survey,
       may_start_singular_(survey.singular_start),
       tolerance_(tolerance),
       yield_steps_(solver.assembly()),
-      history_(solver.initial_history()),
-      path_(history_, {}) {
+      history_(solver.initial_history()) {
   preconditioners_.resize(laws_.points().size());
   for (const MaterialPoints& points : laws_.points())
     local_.push_back(points.has_closed_form() ? nullptr : std::make_unique<MaterialTangent>(points));
@@ -77,9 +88,8 @@ void CreepSystem::begin_segment(double begin, double end) {
   segment_begin_ = begin;
   segment_end_ = end;
   yield_steps_.begin_segment();
-  flow_step_.reset();
-  flow_error_.before = {};
   history_.plastic.smooth_since = begin;
+  history_.plastic.before.clear();
 }
 
 double CreepSystem::load_time(double t) const {
@@ -91,10 +101,8 @@ void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
   into.time = t;
   numerics::copy(y, into.y);
   laws_.layout().views(into.y, views_);
-  const bool is_within_last_step =
-      (has_friction() && t < history_.friction.time) || (history_.plastic.flows && t < history_.plastic.time);
   try {
-    if (is_within_last_step)
+    if (path_.contains(t))
       path_.solve(solver_, t, views_, into.equilibrium);
     else
       solver_.solve(t, views_, history_, into.equilibrium);
@@ -345,86 +353,101 @@ bool CreepSystem::is_near(double t, std::span<const double> y, const Evaluation&
   return team().max(largest) <= near_accepted * tolerance_;
 }
 
-double CreepSystem::longest_step_of_flow(double t, std::span<const double> y) {
-  if (!has_yielding() || !std::isfinite(segment_end_)) return std::numeric_limits<double>::infinity();
-  if (!flow_step_) {
-    std::vector<mechanics::CreepStrainView> views;
-    laws_.layout().views(y, views);
-    double excursion = 1;
-    try {
-      excursion = solver_.yielding_excursion(load_time(segment_end_), views, history_);
-    } catch (const SolverError&) {  // the step will tell
-    } catch (const ModelError&) {
-    }
-    flow_step_ =
-        excursion > 0 ? (segment_end_ - t) * max_flow_change / excursion : std::numeric_limits<double>::infinity();
+double CreepSystem::excursion_at_end(std::span<const double> y) {
+  std::vector<mechanics::CreepStrainView> views;
+  laws_.layout().views(y, views);
+  constexpr double unknown = 1;
+  try {
+    return solver_.yielding_excursion(load_time(segment_end_), views, history_);
+  } catch (const SolverError&) {  // the steps will tell
+    return unknown;
+  } catch (const ModelError&) {
+    return unknown;
   }
-  return *flow_step_;
 }
 
 double CreepSystem::longest_step(double t, std::span<const double> y) {
-  const double for_yielding = std::min(yield_steps_.longest(t, segment_end_), longest_step_of_flow(t, y));
+  const double for_yielding = yield_steps_.longest(t, segment_end_, [&] { return excursion_at_end(y); });
   return std::isfinite(segment_end_) ? std::min(for_yielding, longest_step_of_friction(t, segment_end_)) : for_yielding;
 }
 
-void CreepSystem::apply_preloads(double t, std::span<const double> y) {
-  if (!solver_.has_preload_due(t, history_)) return;
-  forget_evaluations();
-  step_.y.assign(y.begin(), y.end());
+void CreepSystem::pass_breakpoint(double t, std::span<const double> y) {
+  const History before = history_;
+  if (solver_.has_preload_due(t, history_)) {
+    forget_evaluations();
+    step_.y.assign(y.begin(), y.end());
+    laws_.layout().views(step_.y, views_);
+    solver_.apply_preloads(t, load_time(t), views_, history_);
+  }
+  if (has_yielding() && settle_flow(t, y, before)) return;
+  if (has_friction()) accept(t, y);
+}
+
+void CreepSystem::settle_flow(double t, std::span<const double> y) {
+  if (has_yielding()) settle_flow(t, y, History(history_));
+}
+
+bool CreepSystem::settle_flow(double t, std::span<const double> y, const History& before) {
+  const Evaluation& at = evaluate_step(t, y);
   laws_.layout().views(step_.y, views_);
-  solver_.apply_preloads(t, load_time(t), views_, history_);
+  if (!at.equilibrium.plastic.flows) {
+    solver_.settle(at.equilibrium, views_, history_);
+    return false;
+  }
+  history_ = before;
+  solver_.pass_jump(t, load_time(t), views_, history_);
+  path_ = {};
+  forget_evaluations();
+  return true;
+}
+
+std::vector<double> CreepSystem::flow() const {
+  return flow_vector(assembly(), history_.plastic);
+}
+
+void CreepSystem::set_flow(std::span<const double> flow) {
+  set_flow_vector(assembly(), flow, history_.plastic);
+  path_ = {};
+  forget_evaluations();
+}
+
+std::vector<double> CreepSystem::scale_of_flow() const {
+  std::vector<double> scale;
+  for (std::size_t b = 0; b < assembly().bodies().size(); ++b)
+    scale.resize(scale.size() + flow_size(assembly(), b), scale_.strain()[b]);
+  return scale;
 }
 
 void CreepSystem::accept(double t, std::span<const double> y) {
-  if (has_friction() || step_.equilibrium.plastic.flows) {
-    if (!is_near(load_time(t), y, step_)) evaluate_step(t, y);
-    estimate_flow_error();
-    History before = history_;
-    const double begin = std::max(0.0, segment_begin_);
-    std::vector<PathPoint> points = solver_.accept(
-        step_.equilibrium, history_, {tolerance_, std::isfinite(segment_end_) ? segment_end_ - begin : 0.0});
-    rate_has_jumped_ = points.size() > 2 && jumps(step_.equilibrium.contact, history_.contact, tolerance_);
-    path_ = {std::move(before), std::move(points)};
-  } else {
-    solver_.accept(step_.equilibrium, history_);
+  if (depends_on_path()) {
+    if (step_.equilibrium.plastic.flows || has_friction())
+      if (!is_near(load_time(t), y, step_)) evaluate_step(t, y);
+    laws_.layout().views(step_.y, views_);
   }
+  const double begin = std::max(0.0, segment_begin_);
+  path_ = LastPath(solver_.accept(step_.equilibrium, views_, history_,
+                                  {tolerance_, std::isfinite(segment_end_) ? segment_end_ - begin : 0.0}));
+  rate_has_jumped_ = path_.has_substeps() && jumps(team(), step_.equilibrium, history_, tolerance_);
   const auto lap = watch_.lap(Part::material);
   scale_.follow(step_.equilibrium);
   yield_steps_.accept(step_.equilibrium);
   if (path_.has_substeps()) forget_evaluations();  // the state is that of the end of the path
 }
 
-void CreepSystem::estimate_flow_error() {
-  if (!step_.equilibrium.plastic.flows) return;
-  constexpr double of_pair = 0.5;  // each step is in two pairs
-  if (!flow_error_.before.bodies.empty())
-    flow_error_.sum += of_pair * solver_.plastic_error(flow_error_.before, step_.equilibrium);
-  flow_error_.before = history_.plastic;
-}
-
-void CreepSystem::accept_jump(double t, std::span<const double> y) {
-  if (!has_friction() && !has_yielding()) return;
-  if (has_friction() || evaluate_step(t, y).equilibrium.plastic.flows) accept(t, y);
-}
-
 void CreepSystem::save(Memory& memory) const {
   solver_.save(history_, memory);
   scale_.save(memory);
   yield_steps_.save(memory);
-  memory.save(flow_step_name, flow_step_);
-  memory.save(flow_error_name, flow_error_);
 }
 
 void CreepSystem::restore(const Memory& memory) {
   solver_.restore(memory, history_);
-  path_ = {history_, {}};
+  path_ = {};
   scale_.restore(memory);
 }
 
 void CreepSystem::resume(double t, std::span<const double> y, const Memory& memory) {
-  memory.restore(flow_step_name, flow_step_);
-  memory.restore(flow_error_name, flow_error_);
-  if (yield_steps_.is_needed()) yield_steps_.resume(evaluate_step(t, y).equilibrium, memory);
+  yield_steps_.resume(memory, [&]() -> const Equilibrium& { return evaluate_step(t, y).equilibrium; });
 }
 
 RunCounters CreepSystem::run_counters() const {

@@ -84,6 +84,25 @@ std::vector<double> Distribution::gather_points(std::size_t body, std::size_t wi
   return result;
 }
 
+std::vector<double> Distribution::gather_points(std::size_t body, std::span<const double> own) const {
+  if (!own_) return {own.begin(), own.end()};
+  const std::size_t n = own_points_[body].size();
+  const auto width = static_cast<std::size_t>(team().max(n > 0 ? static_cast<double>(own.size() / n) : 0.0));
+  const std::vector<double> none(own.empty() ? n * width : 0);
+  return gather_points(body, width, own.empty() ? std::span<const double>(none) : own);
+}
+
+std::vector<double> Distribution::own_points(std::size_t body, std::span<const double> whole) const {
+  if (!own_) return {whole.begin(), whole.end()};
+  std::vector<double> result;
+  const std::size_t n = whole_.bodies()[body].discretization().n_points();
+  if (n == 0 || whole.size() % n != 0) throw std::invalid_argument("not a whole number of values at each point");
+  const std::size_t width = whole.size() / n;
+  for (const std::size_t p : own_points_[body])
+    result.insert(result.end(), whole.begin() + p * width, whole.begin() + (p + 1) * width);
+  return result;
+}
+
 std::vector<double> Distribution::gather_states(std::span<const double> own) const {
   if (!own_) return {own.begin(), own.end()};
   const StateLayout layout(*own_);
@@ -123,6 +142,10 @@ const Evaluation& Distribution::gather(const Evaluation& own, const BodyLaws& la
   std::vector<std::vector<double>> stress;
   for (std::size_t b = 0; b < whole_.bodies().size(); ++b)
     stress.push_back(gather_points(b, 6, own.equilibrium.bodies[b].stress));
+  std::vector<PlasticState> plastic(own.equilibrium.plastic.bodies.size());
+  for (std::size_t b = 0; b < plastic.size(); ++b)
+    for (const auto values : {&PlasticState::strain, &PlasticState::accumulated, &PlasticState::back})
+      plastic[b].*values = gather_points(b, own.equilibrium.plastic.bodies[b].*values);
   together(team(), [&] {
     if (!is_root()) return;
     space.time = own.time;
@@ -131,6 +154,7 @@ const Evaluation& Distribution::gather(const Evaluation& own, const BodyLaws& la
     space.equilibrium.conditions = std::move(conditions);
     whole_.update(own.equilibrium.time, space.equilibrium.conditions);
     for (std::size_t b = 0; b < stress.size(); ++b) space.equilibrium.bodies[b].stress = std::move(stress[b]);
+    space.equilibrium.plastic.bodies = std::move(plastic);
     space.laws.resize(stress.size());
     for (std::size_t b = 0; b < stress.size(); ++b)
       laws.points()[b].update(space.equilibrium.conditions[b], space.laws[b]);

@@ -58,8 +58,7 @@ class Survey {
     ElasticSurvey result{std::vector<double>(points_.size(), 0.0), false};
     const bool has_preloads = std::ranges::any_of(solver_.assembly().pairs(),
                                                   [](const contact::Pair& pair) { return pair.preload.has_value(); });
-    history_ = has_preloads ? solver_.initial_history() : solver_.new_history();
-    history_.plastic = {};
+    history_ = has_preloads ? solver_.initial_elastic_history() : solver_.new_history();
     for (const double t : times) {
       try {
         if (solver_.has_preload_due(t, history_)) solver_.apply_preloads(t, t, no_creep_, history_);
@@ -71,8 +70,7 @@ class Survey {
         // With friction all of a load in one step may be too much; the run takes shorter ones.
         if (history_.friction.slip.size() == 0) throw;
         if (t != times.front()) continue;
-        history_ = solver_.initial_history();
-        history_.plastic = {};
+        history_ = solver_.initial_elastic_history();
         solver_.solve(t, no_creep_, history_, equilibrium_);
       }
       const std::vector<double> stress = ErrorScale::typical(solver_.assembly(), equilibrium_);
@@ -97,7 +95,8 @@ class Survey {
       const double strains = creep_over_elastic_strain(team, points, at, end_);
       const mechanics::Body& body = points.body();
       // Yielding relieves at once what no such material carries.
-      const bool yields = std::ranges::any_of(body.material().creep, [](const auto& law) { return law->yields(); });
+      const bool yields = body.material().plasticity != nullptr ||
+                          std::ranges::any_of(body.material().creep, [](const auto& law) { return law->yields(); });
       if (!(strains > max_creep) || !std::isfinite(strains) || yields) continue;
       mistakes += fmt::format(
           "{}body '{}' would relax within {:.1g} of the run time: under its typical stress of {:.3g} at t = {:.6g}, "

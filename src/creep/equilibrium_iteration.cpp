@@ -70,7 +70,7 @@ void EquilibriumSolver::solve(double t, CreepStrains creep, const History& histo
   into.time = t;
   assembly_.update(t, into.conditions);
   resize(into);
-  equilibrate_yielding(creep, history, 1, into);
+  equilibrate_yielding(creep, history, {}, into);
   if (history.friction.slip.size() > 0) into.friction = slip_until(into, history);
 }
 
@@ -81,12 +81,8 @@ double EquilibriumSolver::yielding_excursion(double t, CreepStrains creep, const
   assembly_.update(t, at.conditions);
   resize(at);
   PlasticFlow flow(assembly_, history.plastic, t, at.conditions, options_.plastic_tolerance, false);
-  equilibrate(flow.strains(creep), history, history.contact, 1, at);
+  equilibrate(flow.strains(creep), history, history.contact, {}, at);
   return flow.excursion(at);
-}
-
-double EquilibriumSolver::plastic_error(const PlasticHistory& before, const Equilibrium& at) const {
-  return PlasticFlow(assembly_, before, at.time, at.conditions, options_.plastic_tolerance, false).redone_error(at);
 }
 
 void EquilibriumSolver::resize(Equilibrium& into) const {
@@ -98,36 +94,37 @@ void EquilibriumSolver::resize(Equilibrium& into) const {
   }
 }
 
-void EquilibriumSolver::equilibrate_yielding(CreepStrains creep, const History& history, double part,
+void EquilibriumSolver::equilibrate_yielding(CreepStrains creep, const History& history, const Growth& growth,
                                              Equilibrium& into) {
-  if (history.plastic.bodies.empty()) return equilibrate(creep, history, history.contact, part, into);
-  PlasticFlow flow(assembly_, history.plastic, into.time, into.conditions, options_.plastic_tolerance);
+  if (history.plastic.bodies.empty()) return equilibrate(creep, history, history.contact, growth, into);
+  PlasticFlow flow(assembly_, history.plastic, into.time, into.conditions, options_.plastic_tolerance, true,
+                   growth.part);
   contact::ContactState from = history.contact;
   for (bool done = false; !done; from = into.contact) {
-    equilibrate(flow.strains(creep), history, from, part, into);
+    equilibrate(flow.strains(creep), history, from, growth, into);
     const auto lap = watch_.lap(Part::material);
     done = flow.advance(into);
   }
 }
 
 void EquilibriumSolver::equilibrate(CreepStrains creep, const History& history, const contact::ContactState& from,
-                                    double part, Equilibrium& into) {
+                                    const Growth& growth, Equilibrium& into) {
   StiffnessChange change = stiffness_change(assembly_, interface_, into.conditions);
   if (change.rest > options_.refactor_change) {
     refactorize(into.conditions);
     change = {};
   }
-  if (!iterate(creep, history, from, part, change.solved_with(solver_error_), into)) {
+  if (!iterate(creep, history, from, growth, change.solved_with(solver_error_), into)) {
     refactorize(into.conditions);
-    iterate(creep, history, from, part, StiffnessChange().solved_with(solver_error_), into);
+    iterate(creep, history, from, growth, StiffnessChange().solved_with(solver_error_), into);
   }
 }
 
 bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, const contact::ContactState& begin,
-                                double part, const StiffnessChange& stiffness, Equilibrium& into) {
+                                const Growth& growth, const StiffnessChange& stiffness, Equilibrium& into) {
   into.stiffness_scale = stiffness.scale;
   into.factors = factors_;
-  const contact::InterfaceLoad given = start(creep, history, part, stiffness, into);
+  const contact::InterfaceLoad given = start(creep, history, growth, stiffness, into);
   contact::ContactState from = begin;
   from.multiplier /= stiffness.scale;
   if (stiffness_changes_) from.image.resize(0);  // of other factors, perhaps
@@ -153,7 +150,7 @@ bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, cons
   return true;
 }
 
-contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const History& history, double part,
+contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const History& history, const Growth& growth,
                                                 const StiffnessChange& stiffness, Equilibrium& into) {
   const auto lap = watch_.lap(Part::material);
   contact::InterfaceLoad given = interface_.rows().initial_load(into.conditions.front().time, into.conditions);
@@ -165,11 +162,7 @@ contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const Histor
   }
   for (Eigen::VectorXd* of_motions : {&given.work, &given.force})
     assembly_.team().sum({of_motions->data(), static_cast<std::size_t>(of_motions->size())});
-  if (part != 1) {
-    given.gap += (1 - part) * interface_.rows().unloaded_gap();
-    for (const contact::Pair& pair : assembly_.pairs())
-      given.gap.segment(pair.first_row, pair.coupling.n_rows()) -= (1 - part) * pair.initial_gap(given.time);
-  }
+  if (growth.gaps.size() > 0) given.gap += (1 - growth.part) * (growth.gaps - initial_gaps(given.time));
   if (history.friction.slip.size() > 0) {
     given.gap -= slip_advance_->reference({history.contact, history.friction}, into.time);
     given.friction.direction = history.friction.direction;

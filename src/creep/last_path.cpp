@@ -6,16 +6,15 @@
 
 namespace creepcontact::creep {
 
-LastPath::LastPath(History before, std::vector<PathPoint> points)
-    : before_(std::move(before)), points_(std::move(points)) {}
-
 void LastPath::solve(EquilibriumSolver& solver, double t, EquilibriumSolver::CreepStrains creep,
                      Equilibrium& into) const {
-  if (points_.empty()) return solver.solve(t, creep, before_, into);
-  auto next = std::ranges::find_if(points_, [t](const PathPoint& point) { return point.friction.time > t; });
-  if (next == points_.end()) --next;
-  const PathPoint& from = next == points_.begin() ? *next : *std::prev(next);
-  History history = before_;
+  const PathLeg& leg = *std::ranges::find_if(legs_, [t](const PathLeg& own) { return t < own.end; });
+  const std::vector<PathPoint>& points = leg.points;
+  if (points.empty()) return solver.solve(t, creep, leg.before, into);
+  auto next = std::ranges::find_if(points, [t](const PathPoint& point) { return point.friction.time > t; });
+  if (next == points.end()) --next;
+  const PathPoint& from = next == points.begin() ? *next : *std::prev(next);
+  History history = leg.before;
   history.contact = from.contact;
   history.friction = from.friction;
   solver.solve(t, creep, history, into);

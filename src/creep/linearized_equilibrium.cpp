@@ -5,6 +5,7 @@
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
 #include "fixed_contact_solve.hpp"
+#include "plastic_tangent.hpp"
 #include "vector_views.hpp"
 
 namespace creepcontact::creep {
@@ -35,6 +36,17 @@ struct ClosedRows {
 
 void EquilibriumSolver::linearized(const Equilibrium& at, CreepStrains creep_change,
                                    std::vector<std::vector<double>>& stress) {
+  linearized_elastic(at, creep_change, stress);
+  if (!at.plastic.flows) return;
+  const PlasticTangent tangent(assembly_, at);
+  if (tangent.is_elastic()) return;
+  tangent.add_flow(stress, [&](CreepStrains strain, std::vector<std::vector<double>>& change) {
+    linearized_elastic(at, strain, change);
+  });
+}
+
+void EquilibriumSolver::linearized_elastic(const Equilibrium& at, CreepStrains creep_change,
+                                           std::vector<std::vector<double>>& stress) {
   const std::size_t n_bodies = work_.size();
   std::vector<FactoredSide> sides;
   {

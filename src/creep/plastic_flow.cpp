@@ -49,12 +49,13 @@ PlasticHistory virgin_plastic_history(const Assembly& assembly) {
 }
 
 PlasticFlow::PlasticFlow(const Assembly& assembly, const PlasticHistory& from, double t,
-                         std::span<const mechanics::BodyConditions> at, double tolerance, bool goes_on)
+                         std::span<const mechanics::BodyConditions> at, double tolerance, bool goes_on, double part)
     : assembly_(assembly),
       from_(from),
       time_(t),
       at_(at),
       tolerance_(tolerance),
+      part_(part),
       mixing_(mixing_depth, assembly.team()) {
   for (std::size_t b = 0; b < assembly.bodies().size(); ++b) {
     const mechanics::Body& of = assembly.bodies()[b];
@@ -124,6 +125,12 @@ std::span<const mechanics::CreepStrainView> PlasticFlow::strains(std::span<const
 
 bool PlasticFlow::return_stress(const Equilibrium& at) {
   bool flows = false;
+  together(assembly_.team(), [&] { flows = return_own_stress(at); });
+  return assembly_.team().any(flows);
+}
+
+bool PlasticFlow::return_own_stress(const Equilibrium& at) {
+  bool flows = false;
   for (Body& body : bodies_) {
     const PlasticState& before = from_.bodies[body.number];
     const std::vector<double>& stress = at.bodies[body.number].stress;
@@ -160,7 +167,12 @@ bool PlasticFlow::return_stress(const Equilibrium& at) {
       activate(body, p);
     }
   }
-  return assembly_.team().any(flows);
+  return flows;
+}
+
+std::string PlasticFlow::loads() const {
+  if (part_ == 1) return fmt::format("the loads of t = {:.6g}", time_);
+  return fmt::format("{:.4g} % of the loads of t = {:.6g}", 100 * part_, at_.front().time);
 }
 
 void PlasticFlow::require_limited_flow(const Body& body, std::size_t point, double change) const {
@@ -171,10 +183,13 @@ void PlasticFlow::require_limited_flow(const Body& body, std::size_t point, doub
   if (3 * at_[body.number].elastic().at(point).mu * change <= max_flow * yield) return;
   const mechanics::Body& of = assembly_.bodies()[body.number];
   const Vector3& x = of.discretization().point_coordinates()[point];
-  throw SolverError(fmt::format(
-      "the loads of t = {:.6g} cannot be carried: body '{}' flows, by a plastic strain of {:.3g} in one step "
-      "at ({:.6g}, {:.6g}, {:.6g}), where the yield stress is {:.6g}",
-      time_, of.name(), change, x.x(), x.y(), x.z(), yield));
+  constexpr double without_limit = 1;
+  const std::string flow =
+      change > without_limit ? "without limit" : fmt::format("by a plastic strain of {:.3g} in one step", change);
+  throw SolverError(
+      fmt::format("{} cannot be carried: body '{}' flows {} at ({:.6g}, {:.6g}, {:.6g}), where the yield stress is "
+                  "{:.6g}",
+                  loads(), of.name(), flow, x.x(), x.y(), x.z(), yield));
 }
 
 double PlasticFlow::root_of_energy(const Body& body, std::size_t point) const {
@@ -288,6 +303,27 @@ double PlasticFlow::redone_error(const Equilibrium& at) const {
   return assembly_.team().max(largest);
 }
 
+double PlasticFlow::difference(const PlasticHistory& a, const PlasticHistory& b) const {
+  double largest = 0;
+  const auto size = [](const std::vector<double>& first, const std::vector<double>& second, std::size_t point) {
+    Tensor6 difference = Tensor6::Zero();
+    if (!first.empty()) difference += tensor::view(first, point);
+    if (!second.empty()) difference -= tensor::view(second, point);
+    return tensor::von_mises(difference);
+  };
+  for (const Body& body : bodies_) {
+    const PlasticState &of_a = a.bodies[body.number], &of_b = b.bodies[body.number];
+    const mechanics::ElasticState elastic = at_[body.number].elastic();
+    for (std::size_t p = 0; p < body.is_active.size(); ++p) {
+      const double accumulated = of_b.accumulated.empty() ? 0 : of_b.accumulated[p];
+      const double yield = body.law->yield_stress(accumulated, temperature(body, p), constants(body, p)).stress;
+      largest = std::max({largest, size(of_a.stress, of_b.stress, p) / yield,
+                          2 * elastic.at(p).mu * size(of_a.strain, of_b.strain, p) / yield});
+    }
+  }
+  return assembly_.team().max(largest);
+}
+
 bool PlasticFlow::advance(Equilibrium& into) {
   const bool flows = return_stress(into);
   const auto has_guess = [](const Body& body) { return !body.guess.empty(); };
@@ -301,18 +337,20 @@ bool PlasticFlow::advance(Equilibrium& into) {
   for (std::size_t i = 0; i < guess.size(); ++i) change += (flow[i] - guess[i]) * (flow[i] - guess[i]);
   change = std::sqrt(assembly_.team().sum(change));
   if (change <= tolerance_ * stress_norm(assembly_, into)) {
-    for (const Body& body : bodies_)
-      for (const std::int32_t p : body.active)
-        if (!body.accumulated.empty())
-          require_limited_flow(body, static_cast<std::size_t>(p), body.accumulated[static_cast<std::size_t>(p)]);
+    together(assembly_.team(), [&] {
+      for (const Body& body : bodies_)
+        for (const std::int32_t p : body.active)
+          if (!body.accumulated.empty())
+            require_limited_flow(body, static_cast<std::size_t>(p), body.accumulated[static_cast<std::size_t>(p)]);
+    });
     finish(into);
     return true;
   }
   if (++n_iterations_ == max_passes)
     throw SolverError(
-        fmt::format("the plastic strain at t = {:.6g} is not found in {} iterations; its change is still {:.2g} of the "
-                    "stress: the loads may be near what the bodies can carry",
-                    time_, max_passes, change / stress_norm(assembly_, into)));
+        fmt::format("the plastic strain under {} is not found in {} iterations; its change is still {:.2g} of the "
+                    "stress: they may be near what the bodies can carry",
+                    loads(), max_passes, change / stress_norm(assembly_, into)));
   std::vector<double> next(guess.size());
   mixing_.mix(guess, flow, next);
   scatter(next);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,9 +29,10 @@ class PlasticFlow {
   /// @param from  the last accepted step; not empty @param at  the conditions at t, one per body
   /// @param tolerance  of the change of the stress in an iteration, relative to the stress, energy norm
   /// @param goes_on  the first guess: the flow of the last step goes on, or nothing flows
+  /// @param part  of the loads that acts, for messages
   /// @throws SolverError for constants that are not admissible
   PlasticFlow(const Assembly& assembly, const PlasticHistory& from, double t,
-              std::span<const mechanics::BodyConditions> at, double tolerance, bool goes_on = true);
+              std::span<const mechanics::BodyConditions> at, double tolerance, bool goes_on = true, double part = 1);
 
   /// Creep and plastic strains for the next solve, one view per body; those of bodies without plastic strain are
   /// `creep`.
@@ -46,6 +48,9 @@ class PlasticFlow {
   /// equivalent stress, largest of all points, relative to the yield stress.
   /// @param at  the end of the second step, whose history before both is that of this object
   double redone_error(const Equilibrium& at) const;
+  /// The largest difference of two states at the end, of the equivalent stress or of the elastic stress of the plastic
+  /// strain, relative to the yield stress.
+  double difference(const PlasticHistory& a, const PlasticHistory& b) const;
 
  private:
   struct Body {
@@ -63,7 +68,9 @@ class PlasticFlow {
   double temperature(const Body& body, std::size_t point) const;
   /// Returns all points to the yield surface. @returns true if a point flows on any process
   bool return_stress(const Equilibrium& at);
+  bool return_own_stress(const Equilibrium& at);
   void activate(Body& body, std::size_t point);
+  std::string loads() const;
   void require_limited_flow(const Body& body, std::size_t point, double change) const;
   /// The changes of active points times the root of 2 G times the volume: energies are squares of their norms.
   void gather(std::vector<double>& guess, std::vector<double>& flow) const;
@@ -75,7 +82,7 @@ class PlasticFlow {
   const PlasticHistory& from_;
   double time_;
   std::span<const mechanics::BodyConditions> at_;
-  double tolerance_;
+  double tolerance_, part_;
   std::vector<Body> bodies_;  // those that may yield
   std::vector<mechanics::CreepStrainView> views_;
   AndersonMixing mixing_;

@@ -36,7 +36,10 @@ class Failure {
     if (same.size() > 1) raise_series(same);
     if (missing < 0)
       raise(worst, "smallest", smallest_[worst], "the loads that act at this time press the contact with as much");
-    raise(worst, "largest", largest_[worst], "a larger interference opens other contacts or moves the bodies" + error_);
+    raise(worst, "largest", largest_[worst],
+          (search_.is_yielding ? "under a larger interference the bodies flow, or other contacts open"
+                               : "a larger interference opens other contacts or moves the bodies") +
+              error_);
   }
   [[noreturn]] void raise_constant(Index which, double present) const {
     raise(which, "largest", present,
@@ -48,12 +51,12 @@ class Failure {
   [[noreturn]] void raise(Index which, const std::string& kind, double force, const std::string& cause) const {
     throw ModelError(fmt::format(
         "contact '{}': the preload of {:.6g} cannot be reached at t = {:.6g}; the {} normal force is {:.6g}: {}",
-        name(which), search_.forces[which], search_.time, kind, force, cause));
+        name(which), search_.forces[which] / search_.part, search_.time, kind, force, cause));
   }
   [[noreturn]] void raise_series(const std::vector<Index>& contacts) const {
     std::string list;
     for (const Index p : contacts)
-      list += fmt::format("{}{:.6g} of '{}'", list.empty() ? "" : ", ", search_.forces[p], name(p));
+      list += fmt::format("{}{:.6g} of '{}'", list.empty() ? "" : ", ", search_.forces[p] / search_.part, name(p));
     throw ModelError(fmt::format(
         "the preloads at t = {:.6g} cannot all be reached: {}; one force passes through these contacts, so that only "
         "one of them can be given a preload",

@@ -24,6 +24,7 @@ struct PreloadSearch {
   /// The state with all movable rows of all contacts closed: the stiffest answer to an interference.
   std::function<contact::ContactState(const contact::ContactState& at)> closed;
   double time = 0;           ///< for messages
+  double part = 1;           ///< of the preloads, that `forces` are; for messages
   bool is_yielding = false;  ///< `change` is elastic, but `solve` may yield
   double tolerance = 1e-9;   ///< of the forces
 

@@ -75,6 +75,7 @@ void EquilibriumSolver::find_interference(const std::vector<std::size_t>& pairs,
   double scale = 1;
   PreloadSearch search;
   search.forces.resize(n);
+  search.part = part;
   search.is_yielding = !history.plastic.bodies.empty();
   if (search.is_yielding) search.tolerance = std::max(search.tolerance, options_.plastic_tolerance);
   search.gaps.setZero(problem.n_rows(), n);

@@ -11,6 +11,7 @@ namespace creepcontact::creep {
 namespace {
 
 constexpr double share_of_stress = 0.1;
+constexpr double share_of_yield_stress = 0.1;
 constexpr double kept_size = 0.97;  // per step: a stress that passes through zero is not followed in steps of nothing
 constexpr int first_steps = 32;     // in a segment, as long as nothing is known of it
 // SUNDIALS ends the next step within the present limit: of a growth by three, two remain.
@@ -27,12 +28,15 @@ YieldSteps::YieldSteps(const Assembly& assembly) : assembly_(assembly) {
   for (std::size_t b = 0; b < assembly.bodies().size(); ++b)
     if (std::ranges::any_of(assembly.bodies()[b].material().creep, [](const auto& law) { return law->yields(); }))
       bodies_.push_back(b);
+  may_flow_ = std::ranges::any_of(assembly.bodies(),
+                                  [](const mechanics::Body& body) { return body.material().plasticity != nullptr; });
   state_.size.assign(bodies_.size(), 0.0);
   begin_segment();
 }
 
 void YieldSteps::begin_segment() {
   state_.longest = 0;
+  state_.flow.reset();
   stress_.assign(bodies_.size(), {});
   has_stress_ = false;
 }
@@ -47,8 +51,8 @@ void YieldSteps::save(Memory& memory) const {
   memory.save("yield_steps", state_);
 }
 
-void YieldSteps::resume(const Equilibrium& at, const Memory& memory) {
-  keep(at);
+void YieldSteps::resume(const Memory& memory, const std::function<const Equilibrium&()>& at) {
+  if (!bodies_.empty()) keep(at());
   memory.restore("yield_steps", state_);
 }
 
@@ -75,9 +79,14 @@ void YieldSteps::accept(const Equilibrium& at) {
   keep(at);
 }
 
-double YieldSteps::longest(double t, double end) const {
-  if (bodies_.empty()) return std::numeric_limits<double>::infinity();
-  return state_.longest > 0 ? state_.longest : (end - t) / first_steps;
+double YieldSteps::longest(double t, double end, const std::function<double()>& excursion) {
+  constexpr double unbounded = std::numeric_limits<double>::infinity();
+  if (may_flow_ && std::isfinite(end) && !state_.flow) {
+    const double change = excursion();
+    state_.flow = change > 0 ? (end - t) * share_of_yield_stress / change : unbounded;
+  }
+  const double for_laws = bodies_.empty() ? unbounded : state_.longest > 0 ? state_.longest : (end - t) / first_steps;
+  return std::min(for_laws, state_.flow.value_or(unbounded));
 }
 
 }  // namespace creepcontact::creep

@@ -107,6 +107,16 @@ Tensor6 Plasticity::back_stress(std::span<const double> back, std::span<const do
   return sum;
 }
 
+double Plasticity::hardening(double accumulated, const Tensor6& direction, double T, std::span<const double> constants,
+                             std::span<const double> back) const {
+  double H = yield_stress(accumulated, T, constants).slope;
+  for (std::size_t i = 0; i < n_back(); ++i) {
+    const double C = constants[2 + 2 * i], gamma = constants[3 + 2 * i];
+    H += C - (back.empty() ? 0 : gamma * 2.0 / 3.0 * C * direction.dot(tensor::view(back, i)));
+  }
+  return std::max(H, 0.0);
+}
+
 PlasticFlowStep Plasticity::flow(const PlasticPoint& from, const Tensor6& trial, double shear_modulus, double T,
                                  std::span<const double> constants, std::span<double> back) const {
   std::ranges::fill(back, 0.0);

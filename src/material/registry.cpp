@@ -62,8 +62,10 @@ const std::vector<LawInfo>& creep_laws() {
 
 const std::vector<const StateVariable*>& state_variables() {
   static const std::vector<const StateVariable*> all = [] {
-    std::vector<const StateVariable*> found{&damage,         &life_fraction,  &fatigue_fraction,         &creep_fatigue,
-                                            &remaining_life, &plastic_strain, &plastic_strain_equivalent};
+    std::vector<const StateVariable*> found{
+        &damage,         &life_fraction,  &fatigue_fraction,          &creep_fatigue,
+        &remaining_life, &plastic_strain, &plastic_strain_equivalent, &yield_stress,
+        &back_stress};
     for (const LawInfo& law : creep_laws())
       for (const StateVariable* variable : law.state_variables)
         if (std::ranges::find(found, variable) == found.end()) found.push_back(variable);

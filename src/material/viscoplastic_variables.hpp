@@ -5,15 +5,6 @@
 
 namespace creepcontact::material {
 
-inline constexpr StateVariable back_stress{
-    .name = "back_stress",
-    .description =
-        "centre X of the elastic range: sum of the back stresses of `chaboche`; tensor components; 0 where "
-        "there are none",
-    .label = "back stress",
-    .is_tensor = true,
-    .of_several = StateVariable::OfSeveralLaws::sum,
-    .dimension = Dimension::stress};
 inline constexpr StateVariable isotropic_hardening{
     .name = "isotropic_hardening",
     .description = "growth R of the elastic range by isotropic hardening of `chaboche`; negative: softening",

@@ -110,6 +110,29 @@ class FunctionSearch {
       }
     }
     settle_turns(result.events, most);
+    if (result.events.vibrates && yields()) stop_at_turns(result);
+  }
+
+  bool yields() const {
+    return std::ranges::any_of(bodies_,
+                               [](const mechanics::Body& body) { return body.material().plasticity != nullptr; });
+  }
+
+  /// What flows plastically keeps what a turn has made of it: all turns of one place, however many.
+  void stop_at_turns(SearchedFunction& found) const {
+    const double end = config_.time.end;
+    const std::vector<double> times = turns_of_vibration(found.courses.front(), {0, end}, found.events.n_turns);
+    if (times.empty()) {
+      log::warning(
+          "'{}' turns back about {:.2g} times: steps do not end at all turns, and plastic strain that they leave may "
+          "be "
+          "missed; integrate fewer periods (time.cycle with time.jump_cycles)",
+          found.key, found.events.n_turns);
+      return;
+    }
+    constexpr double apart = 1e-3;  // of the mean distance
+    found.events.turns.clear();
+    for (const double t : times) found.events.turns.push_back({t, apart * end / static_cast<double>(times.size())});
   }
 
   void add_levels(const FunctionCourses& courses, const Place& place, SearchEffort effort,

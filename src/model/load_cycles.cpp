@@ -130,8 +130,11 @@ void require_cycles(const config::Config& config, const creep::Assembly& assembl
     throw ConfigError(fmt::format("{}{}", config.time.location.prefix(), reason));
   };
   const auto& bodies = assembly.bodies();
-  if (std::ranges::none_of(bodies, [](const mechanics::Body& body) { return body.material().creeps(); }))
-    refuse("'cycle': nothing creeps, and there are no life data, so all cycles are alike; remove 'cycle'");
+  const auto has_memory = [](const mechanics::Body& body) {
+    return body.material().creeps() || body.material().plasticity != nullptr;
+  };
+  if (std::ranges::none_of(bodies, has_memory))
+    refuse("'cycle': nothing creeps or yields, and there are no life data, so all cycles are alike; remove 'cycle'");
   if (!config.time.jump_cycles) return;
   for (const contact::Pair& pair : assembly.pairs())
     if (pair.coupling.has_friction())

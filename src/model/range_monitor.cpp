@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/config/configured.hpp"
@@ -33,6 +34,13 @@ RangeMonitor::RangeMonitor(const config::Config& config) {
       if (mechanism.temperature_range) tables_[material.name].push_back({what, *mechanism.temperature_range, true});
       if (mechanism.stress_range) stresses_[material.name].push_back({what, *mechanism.stress_range});
     }
+  for (const config::Material& material : config.materials)
+    if (material.plasticity && !material.plasticity->curve.empty()) {
+      double end = std::numeric_limits<double>::infinity();
+      for (const config::PlasticCurve& curve : material.plasticity->curve)
+        end = std::min(end, curve.plastic_strain.back());
+      if (end > 0) curves_[material.name] = end;  // one point is a yield stress that does not harden
+    }
   // A temperature from a file may change; the field itself will tell.
   changes_in_time_ =
       config.temperature && (!config.temperature->files.empty() || config.temperature->value.depends_on_time());
@@ -42,6 +50,8 @@ void RangeMonitor::observe(double t, const std::vector<mechanics::Body>& bodies,
                            const Team& team) {
   if (!stresses_.empty())
     for (std::size_t b = 0; b < bodies.size(); ++b) observe_stress(bodies[b], at.bodies[b].stress, t, team);
+  for (std::size_t b = 0; !curves_.empty() && b < at.plastic.bodies.size(); ++b)
+    observe_flow(bodies[b], at.plastic.bodies[b], t, team);
   if (tables_.empty() || time_ == t || (time_ && !changes_in_time_)) return;
   time_ = t;
   for (std::size_t b = 0; b < bodies.size(); ++b) observe_temperature(bodies[b], at.conditions[b], team);
@@ -63,6 +73,19 @@ void RangeMonitor::observe_stress(const mechanics::Body& body, const std::vector
         "stress_range of the law ({:.6g} .. {:.6g}); the law is extrapolated",
         found->first, of.what, largest[1], largest[2], largest[3], t, largest[0], of.range.low, of.range.high);
   }
+}
+
+void RangeMonitor::observe_flow(const mechanics::Body& body, const creep::PlasticState& state, double t,
+                                const Team& team) {
+  const auto found = curves_.find(body.material().name);
+  if (found == curves_.end()) return;
+  const PointExtreme largest = point_extreme(body, state.accumulated, 1, team);
+  if (!(largest[0] > found->second * (1 + data_rounding))) return;
+  log::warning(
+      "material '{}': plasticity.curve: the plastic strain at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g}, is {:.4g}, beyond "
+      "the end of the table ({:.4g}); the yield stress stays at its last value",
+      found->first, largest[1], largest[2], largest[3], t, largest[0], found->second);
+  curves_.erase(found);
 }
 
 void RangeMonitor::finish() const {

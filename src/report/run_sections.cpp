@@ -89,6 +89,9 @@ std::vector<std::string> sentences(const RunData& run) {
         all.push_back(fmt::format("After {:.4g} cycles the life of body {} is used up, if all go on like cycle {}.",
                                   limit, name, cycles->completed));
     }
+  for (const auto& [name, yielded] : summary.plastic_strain)
+    all.push_back(fmt::format("Body {} has yielded in {:.2g} % of its volume; its largest plastic strain is {:.3g} {}.",
+                              name, 100 * yielded.volume, yielded.strain.value, at_place(yielded.strain)));
   for (const auto& [name, largest] : summary.damage)
     all.push_back(fmt::format("The damage of body {} reaches {:.3g} {}.", name, largest.value, at_place(largest)));
   for (const auto& [name, life] : summary.remaining_life)

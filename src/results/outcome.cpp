@@ -64,6 +64,29 @@ std::optional<double> largest_yield_share(const mechanics::Body& body, const mec
   return largest;
 }
 
+namespace {
+
+/// @param accumulated  plastic strain at the points of this process; empty: none
+StepValues::Flow flow_of(const mechanics::Body& body, const std::vector<double>& accumulated, const Team& team) {
+  StepValues::Flow flow;
+  if (!team.any(!accumulated.empty())) return flow;
+  const mechanics::Discretization& discretization = body.discretization();
+  std::array<double, 2> volumes{};  // that has yielded, and all
+  std::array<double, 4> largest{};
+  for (std::size_t p = 0; p < discretization.n_points(); ++p) {
+    volumes[1] += discretization.weights()[p];
+    if (accumulated.empty() || !(accumulated[p] > 0)) continue;
+    volumes[0] += discretization.weights()[p];
+    const Vector3& x = discretization.point_coordinates()[p];
+    if (accumulated[p] > largest[0]) largest = {accumulated[p], x.x(), x.y(), x.z()};
+  }
+  team.sum(volumes);
+  team.broadcast(largest, team.rank_of_max(largest[0]));
+  return {largest[0], {largest[1], largest[2], largest[3]}, volumes[0] / volumes[1]};
+}
+
+}  // namespace
+
 Outcome::Outcome(const creep::Assembly& assembly)
     : assembly_(assembly),
       forces_(assembly.pairs().size()),
@@ -92,6 +115,8 @@ StepValues Outcome::values(const creep::Assembly& assembly, double time, const c
   }
   team.max(values.von_mises);
   team.max(values.yield_share);
+  for (std::size_t b = 0; b < at.plastic.bodies.size(); ++b)
+    values.flow.push_back(flow_of(assembly.bodies()[b], at.plastic.bodies[b].accumulated, team));
   return values;
 }
 
@@ -174,6 +199,7 @@ void Outcome::output(double time, const creep::Equilibrium& at) {
   observe_contacts(time, at);
   for (std::size_t b = 0; b < stresses_.size(); ++b) results::output(time, now.von_mises[b], is_first, stresses_[b]);
   for (std::size_t b = 0; b < shares_.size(); ++b) results::output(time, now.yield_share[b], is_first, shares_[b]);
+  flow_ = now.flow;
 }
 
 void Outcome::observe(const StepValues& now) {
@@ -185,6 +211,7 @@ void Outcome::observe(const StepValues& now) {
   }
   for (std::size_t b = 0; b < stresses_.size(); ++b) enlarge(now.time, now.von_mises[b], stresses_[b]);
   for (std::size_t b = 0; b < shares_.size(); ++b) enlarge(now.time, now.yield_share[b], shares_[b]);
+  flow_ = now.flow;
 }
 
 void Outcome::warn_of_open_contacts() const {
@@ -208,6 +235,9 @@ void Outcome::fill(io::Summary& summary, std::optional<double> cycle) const {
   for (std::size_t b = 0; b < shares_.size(); ++b)
     if (const mechanics::Body& body = assembly_.bodies()[b]; body.material().yield_strength)
       summary.bodies[body.name()].yield_share = shares_[b];
+  for (std::size_t b = 0; b < flow_.size(); ++b)
+    if (const StepValues::Flow& flow = flow_[b]; flow.largest > 0)
+      summary.plastic_strain[assembly_.bodies()[b].name()] = {{flow.largest, flow.place}, flow.volume};
   for (std::size_t p = 0; p < forces_.size(); ++p) {
     const contact::Pair& pair = assembly_.pairs()[p];
     if (!has_normal_force(pair)) continue;

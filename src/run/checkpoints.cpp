@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <optional>
+
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
@@ -21,6 +23,14 @@ bool is_like_state(const std::string& name) {
   return name.starts_with(vectors_like_state + ".");
 }
 
+/// The body over whose points an array is.
+std::optional<std::size_t> body_of_points(const std::string& name) {
+  const std::string part = fmt::format(".{}.", creep::point_arrays);
+  const std::size_t at = name.find(part);
+  if (at == std::string::npos) return std::nullopt;
+  return std::stoul(name.substr(at + part.size()));
+}
+
 }  // namespace
 
 Checkpoints::Checkpoints(const config::Config& config, const model::Model& model,
@@ -36,7 +46,10 @@ io::Checkpoint Checkpoints::read() const {
     checkpoint = whole();
     checkpoint.state = distribution_.own_states(checkpoint.state);
     for (auto& [name, values] : checkpoint.arrays)
-      if (is_like_state(name)) values = distribution_.own_states(values);
+      if (is_like_state(name))
+        values = distribution_.own_states(values);
+      else if (const auto body = body_of_points(name); body && !values.empty())
+        values = distribution_.own_points(*body, values);
   });
   return checkpoint;
 }
@@ -98,7 +111,10 @@ void Checkpoints::write(const io::Checkpoint& checkpoint) {
     io::Checkpoint all = checkpoint;
     all.state = distribution_.gather_states(checkpoint.state);
     for (auto& [name, values] : all.arrays)
-      if (is_like_state(name)) values = distribution_.gather_states(values);
+      if (is_like_state(name))
+        values = distribution_.gather_states(values);
+      else if (const auto body = body_of_points(name))
+        values = distribution_.gather_points(*body, values);
     together(distribution_.team(), [&] {
       if (distribution_.is_root()) io::write_checkpoint(path_, all);
     });

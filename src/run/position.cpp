@@ -25,7 +25,6 @@ StepView Position::view_at(double t, Source source) {
 void Position::describe(Summary& summary) const {
   summary.results.time_reached = state_.time;
   summary.results.method = integrator_->method();
-  if (context_.system().has_yielding()) summary.results.plastic_error = context_.system().plastic_error();
   static_cast<RunCounters&>(summary.results) = steps() + context_.system().run_counters();
 }
 
@@ -81,8 +80,7 @@ void Position::pass_breakpoint(const ObserverList& observers, bool is_changed) {
   if (is_changed) observers.change(state_);
   schedule_.go_to(state_.time);
   begin_segment();  // a result at a jump is that after it
-  system.apply_preloads(state_.time, state_.y);
-  system.accept_jump(state_.time, state_.y);
+  system.pass_breakpoint(state_.time, state_.y);
   if (is_changed || !is_at_end() || integrator_->jumps_with_loads()) initialize();
 }
 
@@ -90,6 +88,7 @@ void Position::change(const ObserverList& observers) {
   observers.change(state_);
   schedule_.go_to(state_.time);
   begin_segment();
+  context_.system().settle_flow(state_.time, state_.y);
   initialize();
 }
 

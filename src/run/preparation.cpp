@@ -39,26 +39,20 @@ void require_condensed_contact(const config::Config& config, const contact::Cond
                   config.file.string(), interface.dense_bytes() / 1e6, config.contact_solver.dense_limit_mb));
 }
 
-void require_one_process_for_yielding(const config::Config& config, const Team& team) {
-  if (team.size() == 1) return;
-  for (const config::Material& material : config.materials)
-    if (material.plasticity)
-      throw ConfigError(
-          fmt::format("{}: materials.{}.plasticity: creepcontact-mpi has it on one process only; start it as "
-                      "one process, or use creepcontact with threads",
-                      config.file.string(), material.name));
-}
-
 /// Where contact depends on its path, the elastic response of the bodies is used without an iteration that would
-/// correct it.
+/// correct it; where something yields, plastic strains are iterated with solutions that must be better than they are.
 creep::SolverOptions with_multigrid(const config::Config& config, creep::SolverOptions options,
                                     const creep::Assembly& assembly, const Processes& processes) {
   constexpr double usual_error = 0.1;             // few cycles per solve, few solves per evaluation
   constexpr double part_of_time_tolerance = 0.1;  // tight enough not to add steps or errors
+  constexpr double part_of_plastic_tolerance = 0.1;
+  const bool yields = std::ranges::any_of(
+      assembly.bodies(), [](const mechanics::Body& body) { return body.material().plasticity != nullptr; });
   const bool has_path = std::ranges::any_of(assembly.pairs(), [](const contact::Pair& pair) {
     return pair.coupling.has_friction() || pair.preload.has_value() || !pair.acts_always();
   });
   options.stress_tolerance = part_of_time_tolerance * config.time.tolerance;
+  if (yields) options.stress_tolerance = part_of_plastic_tolerance * options.plastic_tolerance;
   options.stiffness_solver = processes.multigrid(has_path ? options.stress_tolerance : usual_error);
   return options;
 }
@@ -116,7 +110,6 @@ creep::EquilibriumSolver make_solver(const config::Config& config, const model::
 creep::CreepSystem make_system(const config::Config& config, const model::Model& model,
                                creep::EquilibriumSolver& solver, Stopwatch& watch) {
   require_condensed_contact(config, solver.interface(), solver.assembly().team());
-  require_one_process_for_yielding(config, solver.assembly().team());
   return creep::CreepSystem(solver,
                             creep::survey_elastic_stress(solver, config.time.output, model.distinct_breakpoints()),
                             config.time.tolerance, watch);

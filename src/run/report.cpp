@@ -91,6 +91,9 @@ std::string outcome_table(const io::Summary& summary) {
             io::opening_text(summary, contact, [](double time) { return fmt::format("{:.6g}", time); });
         !opening.empty())
       text += fmt::format("  contact '{}' {}\n", name, opening);
+  for (const auto& [name, yielded] : summary.plastic_strain)
+    text += fmt::format("  body '{}' has yielded in {} of its volume; largest plastic strain {:.3g} {}\n", name,
+                        share(yielded.volume), yielded.strain.value, place(yielded.strain));
   for (const auto& [name, largest] : summary.life_fraction)
     text += fmt::format("  body '{}' has used {} of its creep life {}\n", name, share(largest.value), place(largest));
   for (const auto& [name, largest] : summary.creep_fatigue)

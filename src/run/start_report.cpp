@@ -58,7 +58,7 @@ class StartReport {
     for (const std::string& warning : strains.warnings()) text += "  warning: " + warning + "\n";
     const auto relaxation = system_.initial_relaxation(at_, config_.time.end);
     for (std::size_t b = 0; b < assembly.bodies().size(); ++b) text += body_line(b, relaxation[b]);
-    return text;
+    return text + flow_line(finer);
   }
 
  private:
@@ -82,9 +82,9 @@ class StartReport {
     }
   }
 
-  /// With friction; nullopt also where the finer load path finds no state.
+  /// Where the path of the loads counts; nullopt also where the finer one finds no state.
   std::optional<creep::Equilibrium> with_finer_substeps() {
-    if (!system_.has_friction()) return std::nullopt;
+    if (!system_.has_friction() && !has_yielded()) return std::nullopt;
     const std::vector<mechanics::CreepStrainView> no_creep(solver_.assembly().bodies().size());
     creep::Equilibrium finer;
     try {
@@ -94,6 +94,37 @@ class StartReport {
       return std::nullopt;
     }
     return finer;
+  }
+
+  std::vector<double> plastic_strain(std::size_t b) const {
+    return system_.laws().evaluate(material::plastic_strain_equivalent, b, at_, at_.y);
+  }
+
+  bool has_yielded() const {
+    bool any = false;
+    for (std::size_t b = 0; b < solver_.assembly().bodies().size(); ++b)
+      any = any || std::ranges::any_of(plastic_strain(b), [](double p) { return p > 0; });
+    return system_.team().any(any);
+  }
+
+  /// What the load path of the plastic strains leaves uncertain.
+  std::string flow_line(const std::optional<creep::Equilibrium>& finer) const {
+    if (!has_yielded()) return "";
+    const int substeps = config_.contact_solver.initial_substeps;
+    if (!finer) return fmt::format("  no state was found with contact_solver.initial_substeps = {}\n", 2 * substeps);
+    double change = 0, largest = 0;
+    for (std::size_t b = 0; b < finer->bodies.size(); ++b) {
+      const std::vector<double>&coarse = at_.equilibrium.bodies[b].stress, &fine = finer->bodies[b].stress;
+      for (std::size_t p = 0; 6 * p < coarse.size(); ++p) {
+        const tensor::ConstMap of_coarse = tensor::view(coarse, p), of_fine = tensor::view(fine, p);
+        change = std::max(change, tensor::von_mises(Tensor6(of_fine - of_coarse)));
+        largest = std::max(largest, tensor::von_mises(of_coarse));
+      }
+    }
+    return fmt::format(
+        "  plastic strain: contact_solver.initial_substeps = {} instead of {} changes the stress by up to {:.2g} % of "
+        "the largest\n",
+        2 * substeps, substeps, 100 * change / largest);
   }
 
   std::string with_unit(double value, Dimension dimension) const {
@@ -145,13 +176,14 @@ class StartReport {
       const Vector3& x = body.discretization().point_coordinates()[where];
       text += fmt::format(" at ({:.6g}, {:.6g}, {:.6g})", x.x(), x.y(), x.z());
     }
-    text += relaxation_text(relaxation) + "\n";
+    const std::vector<double> flow = plastic_strain(b);
+    const double flowed = flow.empty() ? 0 : *std::ranges::max_element(flow);
+    if (flowed > 0) text += fmt::format("; yields, largest plastic strain {:.3g}", flowed);
+    if (relaxation || !(flowed > 0)) text += relaxation_text(relaxation);
+    text += "\n";
     if (const auto share = results::largest_yield_share(body, at_.equilibrium.conditions[b], stress))
       text += fmt::format("  body '{}': the von Mises stress reaches {:.3g} of the yield strength{}\n", body.name(),
-                          *share, *share > 1 ? ": the body yields" : "");
-    const std::vector<double> flow = system_.laws().evaluate(material::plastic_strain_equivalent, b, at_, at_.y);
-    if (const auto most = std::ranges::max_element(flow); most != flow.end() && *most > 0)
-      text += fmt::format("  body '{}': yields; largest plastic strain {:.3g}\n", body.name(), *most);
+                          *share, *share > 1 && !(flowed > 0) ? ": the body yields" : "");
     return text;
   }
 

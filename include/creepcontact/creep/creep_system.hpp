@@ -70,16 +70,24 @@ class CreepSystem final : public ode::System,
   std::vector<double> scale_of_whole_run() const { return scale_.of_whole_run(); }
   /// See ErrorScale::resolve_cycle().
   void resolve_cycle(std::span<const double> change, double least) { scale_.resolve_cycle(change, least); }
-  /// Applies the preloads that are due at t, if any. Call it before the first evaluation after t.
-  /// @throws as EquilibriumSolver::apply_preloads
-  void apply_preloads(double t, std::span<const double> y);
+  /// Applies the preloads that are due at t, and takes slip and plastic flow of loads that jump there into the history.
+  /// Call it before the first evaluation after t. @throws as EquilibriumSolver::apply_preloads
+  void pass_breakpoint(double t, std::span<const double> y);
+  /// What the points of the bodies that may yield have from their flow, in turn: plastic strains, accumulated strain,
+  /// alpha_i. Empty if nothing may yield.
+  std::vector<double> flow() const;
+  /// Sets flow(), for a state that is not the one of the last step. Call settle_flow() with that state.
+  void set_flow(std::span<const double> flow);
+  /// Takes into the history what flows at (t, y), the stress there, and the creep strain. It does so once more if a run
+  /// changes its state other than by a step.
+  void settle_flow(double t, std::span<const double> y);
+  /// scale_of_whole_run() for flow().
+  std::vector<double> scale_of_flow() const;
   /// Makes the last step evaluation part of the history. It may have been made close to the accepted point; with
   /// friction or yielding, whose slip and plastic strain it defines, it is made again unless it is within a tenth of
-  /// the tolerance. With friction the path of the slip is followed (EquilibriumSolver::accept), and evaluations at (t,
-  /// y) are those of its end.
+  /// the tolerance. The path of slip and flow is followed (EquilibriumSolver::accept), and evaluations at (t, y) are
+  /// those of its end.
   void accept(double t, std::span<const double> y) override;
-  /// Takes the slip and the plastic flow of loads that jump at t into the history, if there is any.
-  void accept_jump(double t, std::span<const double> y);
   bool rate_has_jumped() const override { return rate_has_jumped_; }
   void forget_evaluations() override;
   ode::System::Counters counters() const override { return {rate_evaluations_, jacobian_products_}; }
@@ -125,8 +133,6 @@ class CreepSystem final : public ode::System,
   const History& history() const { return history_; }
   bool has_friction() const { return history_.friction.slip.size() > 0; }
   bool has_yielding() const { return !history_.plastic.bodies.empty(); }
-  /// Sum over the steps of the estimated errors of plastic flow, of the equivalent stress relative to the yield stress.
-  double plastic_error() const { return flow_error_.sum; }
   /// True if states depend on the accepted ones before them, beyond what the differential equation has of them.
   bool depends_on_path() const { return has_friction() || has_yielding(); }
   /// Sets the state from which the integration continues. Call it after restore() and begin_segment(), with that
@@ -168,8 +174,9 @@ class CreepSystem final : public ode::System,
   double load_time(double t) const;
   /// The tangents at step_.
   const std::vector<std::vector<material::StressTangent>>& step_tangents();
-  void estimate_flow_error();
-  double longest_step_of_flow(double t, std::span<const double> y);
+  /// @param before  the history before preloads of t @returns true if something flows
+  bool settle_flow(double t, std::span<const double> y, const History& before);
+  double excursion_at_end(std::span<const double> y);
   double smallest_start_exponent(double t, const Evaluation& at) const;
   std::string describe_overflow(const Evaluation& at, std::span<const double> rate) const;
 
@@ -188,16 +195,8 @@ class CreepSystem final : public ode::System,
   double segment_end_ = std::numeric_limits<double>::infinity();
   double tolerance_;
   YieldSteps yield_steps_;
-  /// What the error of plastic flow is estimated from.
-  struct FlowError {
-    double sum = 0;
-    PlasticHistory before;  ///< that of the last step; empty: it was the first of its segment
-    static constexpr auto members = std::tuple{Member{"sum", &FlowError::sum}, Member{"before", &FlowError::before}};
-  };
-  FlowError flow_error_;
-  std::optional<double> flow_step_;  // bound on the steps of this segment by plastic flow; empty: not known yet
   History history_;
-  LastPath path_;  // with friction: what happens within the last step starts from there
+  LastPath path_;  // with friction or flow: what happens within the last step starts from there
   ReportedSlip reported_;
   bool rate_has_jumped_ = false;  // in the last accept()
   Evaluation step_, output_;      // each identified by its (time, y)

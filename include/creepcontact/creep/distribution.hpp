@@ -34,6 +34,10 @@ class Distribution {
   /// Values at the points of all members, in the order of the whole body; empty but on member 0. Collective.
   /// @param own  n_points x width of the own part
   std::vector<double> gather_points(std::size_t body, std::size_t width, std::span<const double> own) const;
+  /// gather_points() where some members may have no values: theirs are zero.
+  std::vector<double> gather_points(std::size_t body, std::span<const double> own) const;
+  /// The own part of such values. @param whole  on all members
+  std::vector<double> own_points(std::size_t body, std::span<const double> whole) const;
   /// gather_points() for vectors like the state y, one or several in turn.
   std::vector<double> gather_states(std::span<const double> own) const;
   /// The own part of such vectors. @param whole  on all members

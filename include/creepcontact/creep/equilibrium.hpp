@@ -2,6 +2,7 @@
 /// The result of one elastic solve, and the history of accepted steps that later solves start from: plain values.
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "creepcontact/base/memory.hpp"
@@ -49,11 +50,15 @@ struct PlasticState {
   std::vector<double> back;         ///< n_points x n_back x 6: alpha_i of material::Plasticity
   std::vector<double> rate;         ///< n_points x 6: of the strain over the last step; empty: nothing flowed in it
   std::vector<double> stress;       ///< n_points x 6 at the end of the last step
+  std::vector<double> creep;        ///< n_points x 6: the creep strain there, of bodies that do not yield too
   static constexpr auto members =
       std::tuple{Member{"strain", &PlasticState::strain}, Member{"accumulated", &PlasticState::accumulated},
-                 Member{"back", &PlasticState::back}, Member{"rate", &PlasticState::rate},
-                 Member{"stress", &PlasticState::stress}};
+                 Member{"back", &PlasticState::back},     Member{"rate", &PlasticState::rate},
+                 Member{"stress", &PlasticState::stress}, Member{"creep", &PlasticState::creep}};
 };
+
+/// In memories: arrays whose names have this part, and then the number of a body, are over its integration points.
+inline constexpr std::string_view point_arrays = "of_points", point_arrays_before = "before.of_points";
 
 /// Yielding up to some time.
 struct PlasticHistory {
@@ -61,9 +66,15 @@ struct PlasticHistory {
   double smooth_since = 0;           ///< loads have no jump or kink between then and `time`
   bool flows = false;                ///< something has flowed in the last step
   std::vector<PlasticState> bodies;  ///< one per body; empty: nothing yields, whatever the stress
-  static constexpr auto members =
-      std::tuple{Member{"time", &PlasticHistory::time}, Member{"smooth_since", &PlasticHistory::smooth_since},
-                 Member{"flows", &PlasticHistory::flows}, Member{"bodies", &PlasticHistory::bodies}};
+  std::vector<PlasticState> before;  ///< `bodies` of the step before; empty: the last one was the first since a kink
+  /// Sum over the steps of the estimated errors of the return, of the equivalent stress relative to the yield stress.
+  double error = 0;
+  static constexpr auto members = std::tuple{Member{"time", &PlasticHistory::time},
+                                             Member{"smooth_since", &PlasticHistory::smooth_since},
+                                             Member{"flows", &PlasticHistory::flows},
+                                             Member{point_arrays, &PlasticHistory::bodies},
+                                             Member{point_arrays_before, &PlasticHistory::before},
+                                             Member{"error", &PlasticHistory::error}};
 };
 
 /// A state of contact on the way of the loads, from which contact and slip go on.
@@ -74,9 +85,9 @@ struct PathPoint {
       std::tuple{Member{"contact", &PathPoint::contact}, Member{"friction", &PathPoint::friction}};
 };
 
-/// How the path of friction is followed when a step is accepted.
+/// How the path of friction and of plastic flow is followed when a step is accepted.
 struct PathOptions {
-  double tolerance = 1e-3;  ///< of tractions and slip per substep, relative to their largest values
+  double tolerance = 1e-3;  ///< of tractions and slip per substep, relative to their largest values; of stresses
   double interval = 0;      ///< time between the breakpoints around the step; 0: the step is all of it
 };
 
@@ -121,6 +132,13 @@ struct History {
                  Member{"plastic", &History::plastic},   Member{"interference", &History::interference},
                  Member{"reached", &History::reached},   Member{"preloaded_until", &History::preloaded_until},
                  Member{"accepted", &History::accepted}, Member{"set_changes", &History::set_changes}};
+};
+
+/// A part of the path of an accepted step.
+struct PathLeg {
+  History before;
+  double end = 0;                 ///< time
+  std::vector<PathPoint> points;  ///< of friction, that of the history first; empty without friction
 };
 
 using creepcontact::Memory;

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -70,15 +71,13 @@ class EquilibriumSolver {
   /// the largest change of the equivalent stress since the last accepted step, relative to the yield stress; 0 if
   /// nothing yields. Cost: as solve() without yielding
   double yielding_excursion(double t, CreepStrains creep, const History& history);
-  /// An estimate of the error that plastic flow has made in two steps, of the equivalent stress relative to the yield
-  /// stress: the largest of all points. @param before  the history before both @param at  the end of the second one
-  /// Cost: a pass over the points that have flowed
-  double plastic_error(const PlasticHistory& before, const Equilibrium& at) const;
 
   /// Change of stress for a change of creep strain, with the closed contacts of an equilibrium held closed. Uses the
   /// moduli of the factors times stiffness_scale, with a relative error of at most q. Strains that cause no stress
-  /// still cause none, and a Newton iteration converges linearly with the factor q.
-  /// @param stress  one per body, n_points x 6. Cost: one forward and one back substitution per body.
+  /// still cause none, and a Newton iteration converges linearly with the factor q. Points that flow go on to
+  /// (PlasticTangent).
+  /// @param stress  one per body, n_points x 6. Cost: one forward and one back substitution per body; some more where
+  /// points flow
   void linearized(const Equilibrium& at, CreepStrains creep_change, std::vector<std::vector<double>>& stress);
 
   /// An empty history for this assembly, in which nothing yields.
@@ -92,22 +91,35 @@ class EquilibriumSolver {
   /// initial_history() with another number of substeps, at least 1: the difference shows how well the load path is
   /// resolved.
   History initial_history(int substeps);
+  /// initial_history() if nothing yielded, whatever the stress.
+  History initial_elastic_history() { return initial_elastic_history(options_.initial_substeps); }
+  History initial_elastic_history(int substeps);
   /// True if preloads, or pairs that hold what is reached, are due at t and not yet applied.
   bool has_preload_due(double t, const History& history) const;
   /// Finds the interferences with which the preloads that are due at t have their forces, under the loads at `at` and
   /// these creep strains, and keeps them in the history. Interferences found before do not change. Before that, finds
-  /// what is reached just before t by the pairs that hold it from t on.
+  /// what is reached just before t by the pairs that hold it from t on. Where something yields see pass_jump().
   /// @throws as solve(); ModelError naming the largest force if a force cannot be reached
   /// Cost: some solves, no factorisation
   void apply_preloads(double t, double at, CreepStrains creep, History& history);
+  /// The history after loads that jump at t, and preloads that are due there, have made points flow: both grow in
+  /// SolverOptions::initial_substeps proportional steps from what acts at the end of the history to what acts at `at`.
+  /// @throws as apply_preloads() Cost: as that many solves, which flow
+  void pass_jump(double t, double at, CreepStrains creep, History& history);
   /// Makes the equilibrium of an accepted step the start of later contact iterations. With friction the path of slip
   /// from the history to there is followed in substeps, along the course of the gaps that the loads open, and its end
-  /// becomes the history.
-  /// @param at  solved from this history
-  /// @returns with friction the states on the path, that of the history first: two if the step is the path
+  /// becomes the history. Where points flow and the error of their return is too large, the step is repeated in up to
+  /// eight parts, between which the creep strain is linear.
+  /// @param at  solved from this history with these creep strains
+  /// @returns with friction or flow the path: one leg with at most two points if the step is the path; else nothing
   /// @throws SlidingOff if friction cannot hold a body on the way, after which nothing has changed
-  /// Cost: with friction contact solves; some forward substitutions if the loads are not linear in time
-  std::vector<PathPoint> accept(const Equilibrium& at, History& history, const PathOptions& options = {});
+  /// Cost: with friction contact solves; some forward substitutions if the loads are not linear in time; parts of a
+  /// step cost as solve()
+  std::vector<PathLeg> accept(const Equilibrium& at, CreepStrains creep, History& history,
+                              const PathOptions& options = {});
+  /// The history at an equilibrium in which nothing flows, where a run goes on from another state than that of its last
+  /// step: contact is left as it is.
+  void settle(const Equilibrium& at, CreepStrains creep, History& history) const;
   /// The longest step from t, up to `end`, with friction and a stiffness that changes in time, in which it changes by
   /// no more than a hundredth, since the path of a step has one flexibility. Else infinity. Collective.
   double longest_for_friction(double t, double end) const;
@@ -142,22 +154,40 @@ class EquilibriumSolver {
   std::unique_ptr<FrictionFollower> make_friction_follower();
   /// Factors the stiffness of these conditions, which becomes K0.
   void refactorize(const std::vector<mechanics::BodyConditions>& at);
-  /// The equilibrium under the conditions of `into`, of which `part` acts: their gaps are between the unloaded ones and
-  /// those of the loads. Nothing yields. @param from  start of the contact iteration
-  void equilibrate(CreepStrains creep, const History& history, const contact::ContactState& from, double part,
+  /// Loads that grow in steps: what the gaps of contacts were before, and how much of their change acts.
+  struct Growth {
+    double part = 1;
+    Eigen::VectorXd gaps = {};  // before; empty if all of it acts
+  };
+  /// The equilibrium under the conditions of `into`. Nothing yields. @param from  start of the contact iteration
+  void equilibrate(CreepStrains creep, const History& history, const contact::ContactState& from, const Growth& growth,
                    Equilibrium& into);
   /// equilibrate() with the plastic strains that belong to it, where the history has some.
-  void equilibrate_yielding(CreepStrains creep, const History& history, double part, Equilibrium& into);
+  void equilibrate_yielding(CreepStrains creep, const History& history, const Growth& growth, Equilibrium& into);
   /// @returns false if the iteration stalls before it converges, which only round-off can cause
-  bool iterate(CreepStrains creep, const History& history, const contact::ContactState& begin, double part,
+  bool iterate(CreepStrains creep, const History& history, const contact::ContactState& begin, const Growth& growth,
                const StiffnessChange& change, Equilibrium& into);
   /// Right-hand sides of the first iteration, which starts from the displacements extrapolated from the last accepted
   /// steps, or from zero. @returns the load without the gaps that the right-hand sides open
-  contact::InterfaceLoad start(CreepStrains creep, const History& history, double part, const StiffnessChange& change,
-                               Equilibrium& into);
-  /// initial_history() where nothing yields, and where something does.
-  History initial_elastic_history(int substeps);
-  History initial_yielding_history(int substeps);
+  contact::InterfaceLoad start(CreepStrains creep, const History& history, const Growth& growth,
+                               const StiffnessChange& change, Equilibrium& into);
+  /// Lets loads and preloads grow where something yields. @param from, begin, gaps  conditions, time and gaps before
+  /// @param at  those after, and their time @param substeps  at least
+  void grow(const std::vector<mechanics::BodyConditions>& from, double begin, const Eigen::VectorXd& gaps,
+            Equilibrium& at, const std::vector<std::size_t>& preloads, int substeps, CreepStrains creep,
+            History& history);
+  /// Makes the flow of an equilibrium, and the estimate of its error, part of the history.
+  void keep_flow(const Equilibrium& at, CreepStrains creep, History& history) const;
+  /// The estimated error of the return in the step to `at`, as PlasticHistory::error; nullopt in the first since a
+  /// kink.
+  std::optional<double> return_error(const Equilibrium& at, const History& history) const;
+  /// The step as one: nothing of it is followed but friction. @returns as FrictionFollower::follow()
+  std::vector<PathPoint> take(const Equilibrium& at, CreepStrains creep, History& history, const PathOptions& options);
+  /// A step in equal parts. @returns nothing if one of them cannot be solved; else `history` is that of the end
+  std::vector<PathLeg> in_parts(int n, const Equilibrium& at, CreepStrains creep, History& history,
+                                const PathOptions& options);
+  /// linearized() of elastic bodies.
+  void linearized_elastic(const Equilibrium& at, CreepStrains creep_change, std::vector<std::vector<double>>& stress);
   /// Sets the space of the results.
   void resize(Equilibrium& into) const;
   /// One elastic solve. @returns change of the displacement in the energy norm
@@ -179,6 +209,8 @@ class EquilibriumSolver {
   /// @param solve  finds the equilibrium for the interferences of a history
   void find_interference(const std::vector<std::size_t>& pairs, double part, History& history,
                          const std::function<const Equilibrium&(const History&)>& solve);
+  /// Weighted gaps of all rows at t without displacements.
+  Eigen::VectorXd initial_gaps(double t) const;
   /// Weighted gaps of all rows from the interferences of preloads.
   Eigen::VectorXd interference_gaps(const std::vector<double>& interference) const;
   void forward();

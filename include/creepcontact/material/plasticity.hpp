@@ -66,6 +66,11 @@ class Plasticity {
   /// X = sum of X_i. @param back  alpha_i, n_back x 6; empty: none
   Tensor6 back_stress(std::span<const double> back, std::span<const double> constants) const;
 
+  /// H with H dp = 3/2 N : d(stress) while the point flows in the direction N: d sy/dp + sum C_i - 3/2 N : sum gamma_i
+  /// X_i. @param direction  3/2 N @param back  alpha_i, n_back x 6
+  double hardening(double accumulated, const Tensor6& direction, double T, std::span<const double> constants,
+                   std::span<const double> back) const;
+
   /// Trapezoidal return (M. Ortiz, E. P. Popov, Int. J. Numer. Meth. Eng. 21 (1985) 1561) with the direction N_c of the
   /// first yield in the step: exact on straight paths, of second order on others.
   /// @param trial  deviator of the stress with the plastic strain held since `from`, at the end of the step

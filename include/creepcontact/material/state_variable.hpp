@@ -46,7 +46,7 @@ inline constexpr StateVariable creep_fatigue{
         "line; 0 where there are no fatigue data",
     .label = "creep-fatigue usage"};
 
-/// The plastic strain of Plasticity, which no creep law gives.
+/// Of Plasticity, which is no creep law.
 inline constexpr StateVariable plastic_strain{.name = "plastic_strain",
                                               .description = "plastic strain of `plasticity`, tensor components",
                                               .label = "plastic strain",
@@ -55,6 +55,20 @@ inline constexpr StateVariable plastic_strain_equivalent{
     .name = "plastic_strain_equivalent",
     .description = "accumulated equivalent plastic strain of `plasticity`",
     .label = "plastic strain (equiv.)"};
+
+inline constexpr StateVariable back_stress{
+    .name = "back_stress",
+    .description =
+        "centre X of the elastic range: sum of the back stresses of `chaboche` or `plasticity`; tensor components; 0 "
+        "where there are none",
+    .label = "back stress",
+    .is_tensor = true,
+    .of_several = StateVariable::OfSeveralLaws::sum,
+    .dimension = Dimension::stress};
+inline constexpr StateVariable yield_stress{.name = "yield_stress",
+                                            .description = "yield stress of `plasticity`, with its hardening so far",
+                                            .label = "yield stress",
+                                            .dimension = Dimension::stress};
 
 /// Laws with rupture give 1/(time to rupture).
 inline constexpr StateVariable remaining_life{

@@ -1,6 +1,7 @@
 #pragma once
-/// Material tables in T cover a limited range, outside of which their end values are used, and creep laws hold for the
-/// stresses and temperatures of their data. Warns once per range when a stress or temperature leaves it.
+/// Material tables in T cover a limited range, outside of which their end values are used, creep laws hold for the
+/// stresses and temperatures of their data, and a table of the yield stress ends at some plastic strain. Warns once per
+/// range when what it is of leaves it.
 
 #include <map>
 #include <optional>
@@ -42,11 +43,13 @@ class RangeMonitor {
     double largest = 0;  ///< stress up to now
     bool exceeded = false;
   };
+  void observe_flow(const mechanics::Body& body, const creep::PlasticState& state, double t, const Team& team);
   void observe_temperature(const mechanics::Body& body, const mechanics::BodyConditions& at, const Team& team);
   void observe_stress(const mechanics::Body& body, const std::vector<double>& stress, double t, const Team& team);
 
   std::map<std::string, std::vector<Range>> tables_;  // by material: ranges of T not warned of yet
   std::map<std::string, std::vector<StressRange>> stresses_;
+  std::map<std::string, double> curves_;  // by material: plastic strain at which its table ends, not warned of yet
   bool changes_in_time_ = false;
   std::optional<double> time_;  // of the last call
 };

@@ -82,6 +82,7 @@ class Outcome {
   std::vector<double> rounding_;               // likewise: force that the round-off of the bodies may make
   std::vector<io::Summary::Course> stresses_;  // of every body
   std::vector<io::Summary::Course> shares_;    // likewise: largest_yield_share()
+  std::vector<StepValues::Flow> flow_;         // likewise; empty if nothing may yield
   std::vector<double> moduli_;                 // likewise: Young's modulus
   std::vector<double> dissipated_, slip_;      // of every contact pair at the last output; NaN: no friction
   std::vector<double> interference_;           // likewise; NaN: no preload
@@ -90,7 +91,7 @@ class Outcome {
       std::tuple{Member{"started", &Outcome::started_},   Member{"last_output", &Outcome::last_output_},
                  Member{"forces", &Outcome::forces_},     Member{"widths", &Outcome::widths_},
                  Member{"openings", &Outcome::openings_}, Member{"stresses", &Outcome::stresses_},
-                 Member{"shares", &Outcome::shares_}};
+                 Member{"shares", &Outcome::shares_},     Member{"flow", &Outcome::flow_}};
 };
 
 }  // namespace creepcontact::results

@@ -49,6 +49,9 @@ Json largest(const std::map<std::string, Summary::Largest>& values) {
 
 /// Each only if there is something to tell.
 void add_life(const Summary& summary, Json& json) {
+  for (const auto& [body, of] : summary.plastic_strain)
+    json["plastic_strain"][body] = {
+        {"largest", of.strain.value}, {"place", of.strain.position}, {"volume_share", of.volume}};
   if (!summary.damage.empty()) json["damage"] = largest(summary.damage);
   if (!summary.life_fraction.empty()) json["life_fraction"] = largest(summary.life_fraction);
   for (const auto& [body, life] : summary.remaining_life)

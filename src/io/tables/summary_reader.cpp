@@ -157,6 +157,9 @@ std::optional<Summary> parse_summary(std::string_view text) {
     read_contacts(json, summary);
     read_probes(json, summary);
     read_accuracy(json, summary);
+    if (const auto found = json.find("plastic_strain"); found != json.end())
+      for (const auto& [body, value] : found->items())
+        summary.plastic_strain[body] = {place_of(value, "largest"), number(value, "volume_share")};
     summary.damage = extremes_of(json, "damage", "largest");
     summary.life_fraction = extremes_of(json, "life_fraction", "largest");
     summary.remaining_life = extremes_of(json, "remaining_life", "smallest");

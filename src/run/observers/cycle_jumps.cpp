@@ -1,11 +1,14 @@
 #include "cycle_jumps.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "../checkpoints.hpp"
+#include "creepcontact/base/error.hpp"
 
 namespace creepcontact::run {
 namespace {
@@ -20,7 +23,24 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 CycleJumps::CycleJumps(const RunContext& context)
     : context_(context),
       loads_(context.model.cycles.value()),
-      extrapolation_(context.team(), context.config.time.jump_tolerance) {}
+      extrapolation_(context.team(), context.config.time.jump_tolerance) {
+  if (context.system().has_yielding() && context.team().size() > 1)
+    throw ConfigError(
+        fmt::format("{}'jump_cycles': plastic strains are extrapolated on one process only; start the program as one "
+                    "process, or remove 'jump_cycles'",
+                    context.config.time.location.prefix()));
+}
+
+std::vector<double> CycleJumps::joined(std::span<const double> y, std::span<const double> flow) {
+  std::vector<double> result(y.begin(), y.end());
+  result.insert(result.end(), flow.begin(), flow.end());
+  return result;
+}
+
+void CycleJumps::take(std::span<const double> with_flow, std::span<double> y) {
+  std::ranges::copy(with_flow.first(y.size()), y.begin());
+  if (with_flow.size() > y.size()) context_.system().set_flow(with_flow.subspan(y.size()));
+}
 
 std::int64_t CycleJumps::longest(double t, std::int64_t cycle) const {
   const std::vector<double>& outputs = context_.config.time.output;
@@ -38,7 +58,9 @@ bool CycleJumps::jump(double t, std::int64_t& cycle, std::span<double> y) {
   if (is_checking() || skips_next_) return false;
   const std::int64_t n = longest(t, cycle);
   if (n == 0) return false;
-  extrapolation_.jump(n, y);
+  std::vector<double> all = with_flow(y);
+  extrapolation_.jump(n, all);
+  take(all, y);
   cycle += n;
   return true;
 }
@@ -47,6 +69,7 @@ void CycleJumps::begin(std::span<const double> y) {
   skips_next_ = false;
   activity_ = {};
   last_step_.assign(y.begin(), y.end());
+  first_flow_ = context_.system().flow();
 }
 
 void CycleJumps::step(const StepView& view) {
@@ -62,16 +85,23 @@ void CycleJumps::step(const StepView& view) {
 
 void CycleJumps::add(std::int64_t cycle, std::span<const double> before, std::span<const double> after) {
   if (!loads_.repeats(cycle)) extrapolation_.begin(cycle);
-  extrapolation_.add_cycle(cycle, before, after);
+  extrapolation_.add_cycle(cycle, joined(before, first_flow_), with_flow(after));
 }
 
 bool CycleJumps::check(std::span<const double> change, std::span<double> y) {
-  return extrapolation_.check(context_.system().scale_of_whole_run(), damping(change), y);
+  const creep::CreepSystem& system = context_.system();
+  std::vector<double> all = with_flow(y);
+  const bool is_accepted =
+      extrapolation_.check(joined(system.scale_of_whole_run(), system.scale_of_flow()), damping(change), all);
+  take(all, y);
+  return is_accepted;
 }
 
 void CycleJumps::give_up(std::int64_t cycle, std::span<double> y) {
   bound_ = cycle;
-  extrapolation_.give_up(y);
+  std::vector<double> all = with_flow(y);
+  extrapolation_.give_up(all);
+  take(all, y);
 }
 
 ode::CycleExtrapolation::Damping CycleJumps::damping(std::span<const double> change) {
@@ -94,7 +124,10 @@ ode::CycleExtrapolation::Damping CycleJumps::damping(std::span<const double> cha
   context_.team().sum(sums);
   const double time = sums[1] * loads_.period() > sums[0] ? sums[0] / sums[1] : loads_.period();
   return [this, time](double weight, std::span<const double> given, std::span<double> damped) {
-    context_.system().precondition_once(activity_.time, activity_.state, weight * time, given, damped);
+    const std::size_t n = activity_.state.size();
+    context_.system().precondition_once(activity_.time, activity_.state, weight * time, given.first(n),
+                                        damped.first(n));
+    std::ranges::copy(given.subspan(n), damped.begin() + static_cast<std::ptrdiff_t>(n));
   };
 }
 

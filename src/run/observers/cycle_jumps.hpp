@@ -15,10 +15,12 @@
 namespace creepcontact::run {
 
 /// Between two cycles the run may jump over some; the cycle after a jump is computed, and the jump is accepted if that
-/// cycle is the extrapolated one within the tolerance. Cycles are numbered from 0. Calls are collective.
+/// cycle is the extrapolated one within the tolerance. What has flowed (CreepSystem::flow) is extrapolated with the
+/// state, and set in the system. Cycles are numbered from 0. Calls are collective.
 class CycleJumps {
  public:
   /// @param context  of a model with cycles whose settings ask for jumps; must outlive the object
+  /// @throws ConfigError if something may yield and there are several processes
   explicit CycleJumps(const RunContext& context);
 
   /// True from a jump to the end of the cycle after it.
@@ -55,6 +57,11 @@ class CycleJumps {
  private:
   std::int64_t longest(double t, std::int64_t cycle) const;
   ode::CycleExtrapolation::Damping damping(std::span<const double> change);
+  /// A state, and what follows it here: its flow.
+  static std::vector<double> joined(std::span<const double> y, std::span<const double> flow);
+  std::vector<double> with_flow(std::span<const double> y) const { return joined(y, context_.system().flow()); }
+  /// Sets the state, and the flow in the system.
+  void take(std::span<const double> with_flow, std::span<double> y);
 
   const RunContext& context_;
   const model::LoadCycles& loads_;
@@ -68,7 +75,8 @@ class CycleJumps {
     std::vector<double> state;
   };
   Activity activity_;
-  std::vector<double> last_step_;  // the state at its end
+  std::vector<double> last_step_;   // the state at its end
+  std::vector<double> first_flow_;  // at the begin of the cycle
   static constexpr auto saved_members = std::tuple{Member{"bound", &CycleJumps::bound_}};
 };
 

@@ -59,13 +59,16 @@ void CycleWatch::observe_body(std::size_t b, const creep::Evaluation& at, const 
   const std::size_t n_points = stress.size() / 6;
   const mechanics::ElasticState elastic = at.equilibrium.conditions[b].elastic();
   std::vector<double>& strain = body.strain.emplace_back(stress.size());
-  if (!creep.empty()) body.creep.emplace_back(stress.size());
+  const std::vector<double> plastic = system_.laws().evaluate(material::plastic_strain, b, at, at.y);
+  if (!creep.empty() || !plastic.empty()) body.inelastic.emplace_back(stress.size());
   for (std::size_t p = 0; p < n_points; ++p) {
     tensor::Map total = tensor::writable(strain, p);
     total = material::elastic_strain(elastic.at(p), tensor::view(stress, p));
-    if (creep.empty()) continue;
-    total += creep.at(p);
-    tensor::writable(body.creep.back(), p) = creep.at(p);
+    if (body.inelastic.empty()) continue;
+    tensor::Map inelastic = tensor::writable(body.inelastic.back(), p);
+    if (!creep.empty()) inelastic += creep.at(p);
+    if (!plastic.empty()) inelastic += tensor::view(plastic, p);
+    total += inelastic;
   }
   const double reference = system_.assembly().bodies()[b].material().reference_temperature;
   body.highest_temperature.resize(n_points, -std::numeric_limits<double>::infinity());
@@ -124,7 +127,7 @@ CycleRecord CycleWatch::record(std::span<const double> y, std::span<const double
     CycleRecord::Body& body = result.bodies.emplace_back();
     const std::size_t n_points = bodies_[b].last_stress.size() / 6;
     body.strain_range = largest_of(team, ranges(bodies_[b].strain, n_points));
-    body.inelastic_strain_range = largest_of(team, ranges(bodies_[b].creep, n_points));
+    body.inelastic_strain_range = largest_of(team, ranges(bodies_[b].inelastic, n_points));
     for (const material::StateVariable* variable : life_[b]) {
       const auto at = [&](std::span<const double> state) {
         return system_.laws().evaluate(*variable, b, system_.step_evaluation(), state);

@@ -40,7 +40,7 @@ struct CycleRecord {
 
 /// Observes the states at the breakpoints of a cycle, where piecewise smooth loads have their extremes, and takes
 /// ranges between all of them. Calls are collective. Cost: an evaluation for each state, unless a step has made it;
-/// memory: six numbers per point and breakpoint, and for bodies that creep twelve.
+/// memory: six numbers per point and breakpoint, and for bodies that creep or yield twelve.
 class CycleWatch {
  public:
   /// @param system  must outlive the object
@@ -70,8 +70,8 @@ class CycleWatch {
   /// Tensors of all points of a body, one array per state.
   using States = std::vector<std::vector<double>>;
   struct Body {
-    States strain;  // elastic and inelastic; deviators
-    States creep;   // inelastic
+    States strain;     // elastic and inelastic; deviators
+    States inelastic;  // creep and plastic strain; empty if there is neither
     std::vector<double> highest_temperature;
     std::vector<double> first_stress, last_stress;
     double typical_stress = 0;

@@ -68,7 +68,7 @@ TEST_P(Purity, InterleavedSequencesHaveTheBitsOfEachAlone) {
     system.rate.layout().views(at.y, creep);
     Equilibrium result;
     system.solver.solve(at.t, creep, history, result);
-    system.solver.accept(result, history);
+    system.solver.accept(result, creep, history);
     return result;
   };
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -66,6 +66,11 @@ struct Summary : RunCounters {
     double value = 0;
     std::array<double, 3> position{};
   };
+  /// A body that has yielded, by its plasticity.
+  struct Yielded {
+    Largest strain;     ///< accumulated plastic strain
+    double volume = 0;  ///< share of the body
+  };
   struct Rupture {
     double time = 0;
     std::string body;
@@ -123,6 +128,7 @@ struct Summary : RunCounters {
   std::optional<double> last_output;  ///< time of the last output, whose values are those of the end
   std::map<std::string, Body> bodies;
   /// Largest values per body, if its material has them.
+  std::map<std::string, Yielded> plastic_strain;
   std::map<std::string, Largest> damage, life_fraction, fatigue_fraction, creep_fatigue;
   std::map<std::string, Largest> remaining_life;            ///< the smallest of each body that would rupture
   std::map<std::string, std::vector<std::string>> sources;  ///< of the data, by material; omitted if empty

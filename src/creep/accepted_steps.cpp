@@ -1,0 +1,174 @@
+/// What an accepted step of an EquilibriumSolver leaves in the history, and the path of slip and flow within it.
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "creepcontact/base/index.hpp"
+#include "creepcontact/creep/equilibrium_solver.hpp"
+#include "friction_follower.hpp"
+#include "plastic_flow.hpp"
+
+namespace creepcontact::creep {
+namespace {
+
+constexpr int max_parts = 8;
+constexpr double share_of_flow = 0.4;  // of the tolerance in a step, as integrators have it for creep
+
+/// Creep strains between those of the last step and those of now.
+class CreepBetween {
+ public:
+  CreepBetween(const PlasticHistory& from, EquilibriumSolver::CreepStrains to) : from_(from), to_(to) {}
+
+  EquilibriumSolver::CreepStrains at(double part) {
+    views_.assign(to_.begin(), to_.end());
+    if (part == 1) return views_;
+    values_.resize(to_.size());
+    for (std::size_t b = 0; b < to_.size(); ++b) {
+      if (to_[b].empty()) continue;
+      const std::vector<double>& before = from_.bodies[b].creep;
+      values_[b].resize(before.size());
+      for (std::size_t p = 0; 6 * p < before.size(); ++p)
+        tensor::writable(values_[b], p) = (1 - part) * tensor::view(before, p) + part * to_[b].at(p);
+      views_[b] = {values_[b], 6};
+    }
+    return views_;
+  }
+
+ private:
+  const PlasticHistory& from_;
+  EquilibriumSolver::CreepStrains to_;
+  std::vector<std::vector<double>> values_;
+  std::vector<mechanics::CreepStrainView> views_;
+};
+
+}  // namespace
+
+SlipHistory EquilibriumSolver::slip_until(const Equilibrium& at, const History& history) const {
+  const PathPoint from{history.contact, history.friction};
+  return slip_advance_->advanced(from, at.time, slip_advance_->reference(from, at.time), at.contact, at.gaps);
+}
+
+std::optional<double> EquilibriumSolver::return_error(const Equilibrium& at, const History& history) const {
+  constexpr double of_pair = 0.5;  // each step is in two pairs
+  if (!at.plastic.flows) return 0;
+  if (history.plastic.before.empty()) return std::nullopt;
+  PlasticHistory before;
+  before.bodies = history.plastic.before;
+  const PlasticFlow flow(assembly_, before, at.time, at.conditions, options_.plastic_tolerance, false);
+  return of_pair * flow.redone_error(at);
+}
+
+void EquilibriumSolver::keep_flow(const Equilibrium& at, CreepStrains creep, History& history) const {
+  PlasticHistory& flow = history.plastic;
+  if (flow.bodies.empty()) return;
+  const double error = flow.error + return_error(at, history).value_or(0);
+  std::vector<PlasticState> before = std::move(flow.bodies);
+  flow = at.plastic;
+  flow.before = std::move(before);
+  flow.error = error;
+  for (std::size_t b = 0; b < creep.size(); ++b) {
+    std::vector<double>& kept = flow.bodies[b].creep;
+    kept.assign(creep[b].empty() ? 0 : 6 * assembly_.bodies()[b].discretization().n_points(), 0.0);
+    for (std::size_t p = 0; 6 * p < kept.size(); ++p) tensor::writable(kept, p) = creep[b].at(p);
+  }
+}
+
+void EquilibriumSolver::settle(const Equilibrium& at, CreepStrains creep, History& history) const {
+  keep_flow(at, creep, history);
+  history.plastic.before.clear();
+}
+
+std::vector<PathPoint> EquilibriumSolver::take(const Equilibrium& at, CreepStrains creep, History& history,
+                                               const PathOptions& options) {
+  std::vector<PathPoint> path = friction_->follow(at, history, options);
+  const contact::ContactState& contact = path.empty() ? at.contact : path.back().contact;
+  std::vector<int> changed;
+  std::ranges::set_symmetric_difference(history.contact.active, contact.active, std::back_inserter(changed));
+  auto row = changed.begin();
+  Index end = 0;
+  for (std::size_t p = 0; p < assembly_.pairs().size() && !history.contact.active.empty(); ++p) {
+    end += assembly_.pairs()[p].coupling.n_rows();
+    const auto next = std::lower_bound(row, changed.end(), end);
+    if (next != row) ++history.set_changes[p];
+    row = next;
+  }
+  history.friction = path.empty() ? at.friction : path.back().friction;
+  keep_flow(at, creep, history);
+  history.contact = contact;
+  if (!iterates()) return path;
+  std::vector<History::Accepted>& accepted = history.accepted;
+  if (!accepted.empty() && accepted.front().time == at.time) accepted.erase(accepted.begin());
+  accepted.insert(accepted.begin(), {at.time, at.displacements, at.factors});
+  if (accepted.size() > 2) accepted.pop_back();
+  return path;
+}
+
+std::vector<PathLeg> EquilibriumSolver::in_parts(int n, const Equilibrium& at, CreepStrains creep, History& history,
+                                                 const PathOptions& options) {
+  const double begin = history.plastic.time;
+  CreepBetween course(history.plastic, creep);
+  History trial = history;
+  std::vector<PathLeg> legs;
+  Equilibrium end;
+  try {
+    for (int i = 1; i <= n; ++i) {
+      const double part = static_cast<double>(i) / n, t = i == n ? at.time : begin + part * (at.time - begin);
+      const CreepStrains now = course.at(i == n ? 1 : part);
+      solve(t, now, trial, end);
+      legs.push_back({trial, t, {}});
+      legs.back().before.plastic.before.clear();
+      legs.back().points = take(end, now, trial, options);
+    }
+  } catch (const SolverError&) {
+    return {};
+  }
+  history = std::move(trial);
+  return legs;
+}
+
+std::vector<PathLeg> EquilibriumSolver::accept(const Equilibrium& at, CreepStrains creep, History& history,
+                                               const PathOptions& options) {
+  if (!at.plastic.flows) {
+    if (history.friction.slip.size() == 0) {
+      take(at, creep, history, options);
+      return {};
+    }
+  } else if (at.time > history.plastic.time) {
+    const double allowed = share_of_flow * options.tolerance;
+    const auto enough = [&](double error, int of) {
+      return static_cast<int>(std::min<double>(max_parts, std::ceil(of * std::sqrt(error / allowed))));
+    };
+    const std::optional<double> error = return_error(at, history);
+    int n = error ? enough(*error, 1) : 2;
+    std::vector<PathLeg> path;
+    History end;
+    PlasticHistory coarse = at.plastic;
+    for (int before = 1; n > before;) {
+      History trial = history;
+      std::vector<PathLeg> finer = in_parts(n, at, creep, trial, options);
+      if (finer.empty()) break;
+      path = std::move(finer);
+      end = std::move(trial);
+      // Of second order: what is left of the error, from the difference that the finer path makes.
+      const double ratio = static_cast<double>(n) / before;
+      const double left =
+          PlasticFlow(assembly_, history.plastic, at.time, at.conditions, options_.plastic_tolerance, false)
+              .difference(coarse, end.plastic) /
+          (ratio * ratio - 1);
+      coarse = end.plastic;
+      before = std::exchange(n, left > allowed ? std::max(enough(left, n), std::min(2 * n, max_parts)) : n);
+    }
+    if (!path.empty()) {
+      history = std::move(end);
+      return path;
+    }
+  }
+  History before = history;
+  before.plastic.before.clear();
+  std::vector<PathPoint> points = take(at, creep, history, options);
+  return {{std::move(before), at.time, std::move(points)}};
+}
+
+}  // namespace creepcontact::creep
