@@ -284,6 +284,14 @@ class BreeTube(MaterialExampleTest):
         self.assertAlmostEqual(self.strain_of_a_cycle(settings(0.5, 1.2)), 0, delta=1e-8)
         self.expect_close(self.strain_of_a_cycle(settings(0.3, 4)), 0.4, 1e-2)
 
+    def test_closed_tube_bears_more(self):
+        def growth(x, y):
+            rows = self.rows(CONFIGS.parent / "studies/bree/tube.toml", {
+                "loads[0].pressure": 15 * x, "generalized_plane_strain.force": 5.70375 * x, "materials.steel.thermal_expansion": 1e-5 * y})
+            return (rows[-1]["strain"] - rows[-3]["strain"]) / (300 / 2e5)
+        self.assertAlmostEqual(growth(0.79, 1.25), 0, delta=1e-6)  # the limit is 0.828, that of Bree's strip 0.6875
+        self.assertGreater(growth(0.87, 1.25), 0.05)
+
 
 class ValveSeatCycles(MaterialExampleTest):
     """Chaboche's law, read off an integrated state, and the balance of forces."""
