@@ -273,17 +273,27 @@ class PlasticDecksOfCalculix(PlasticTest):
             if of_flow:
                 self.expect_close(flow, their_flow, of_flow)
 
+    def run_example(self, name, deck, grids, bodies):
+        numbers = DECKS[name][1]
+        probes = of_body("p").replace("Body", bodies[0]) + 'reduce = "max"\n'
+        probes += "".join(of_node(number, at, "xyz" if "C3D" in deck else "xy", body) for body, grid in zip(bodies, grids)
+                          for number, at in grid.nodes.items() if number in numbers)
+        return [({number: [row.get(f"u{c}{number}", 0.0) for c in "xyz"] for number in numbers}, row["p"])
+                for row in self.run_deck(name, deck, probes)]
+
     def test_values(self):
-        for name, (make, numbers) in DECKS.items():
+        for name, (make, _) in DECKS.items():
             with self.subTest(name):
-                deck, grids, bodies = make()
-                components = "xyz" if "C3D" in deck else "xy"
-                probes = of_body("p").replace("Body", bodies[0]) + 'reduce = "max"\n'
-                probes += "".join(of_node(number, at, components, body) for body, grid in zip(bodies, grids)
-                                  for number, at in grid.nodes.items() if number in numbers)
-                rows = self.run_deck(name, deck, probes)[1:]
-                ends = [({number: [row.get(f"u{c}{number}", 0.0) for c in "xyz"] for number in numbers}, row["p"]) for row in rows]
-                self.expect_values(name, ends, VALUES[name], *self.tolerances[name])
+                self.expect_values(name, self.run_example(name, *make())[1:], VALUES[name], *self.tolerances[name])
+
+    def test_values_at_the_start_of_creep(self):
+        """The loads of the first step are those of t = 0, and are applied in parts."""
+        for name in ("bar", "cylinder", "plate", "blocks"):
+            with self.subTest(name):
+                deck, *model = DECKS[name][0]()
+                deck = deck[:deck.index("*END STEP\n")] + "*END STEP\n" + step("", "*VISCO, CETOL=1e-4\n1., 1.")
+                deck = deck.replace("*SOLID SECTION", "*CREEP\n1e-30, 3, 0\n*SOLID SECTION")
+                self.expect_values(name, self.run_example(name, deck, *model)[:1], VALUES[name][:1], *self.tolerances[name])
 
     @unittest.skipUnless(shutil.which("ccx"), "needs the Debian package calculix-ccx")
     def test_values_are_those_of_calculix(self):
