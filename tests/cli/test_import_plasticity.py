@@ -1,0 +1,339 @@
+"""Decks with *PLASTIC: published benchmarks, closed forms, paths integrated in small steps, and CalculiX on the same meshes."""
+
+import math
+import re
+import shutil
+import unittest
+
+import plastic_decks
+from plastic_decks import DECKS, VALUES, step
+from test_import import CUBE, EXAMPLES, ImportTest, deck_text
+
+CUBE_MESH = CUBE[:CUBE.index("*BOUNDARY")].replace("Cube", "Body") + "*NSET, NSET=z1\n5, 6, 7, 8\n"
+CUBE_NODES = {int(number): tuple(map(int, at)) for number, *at in (line.split(",") for line in CUBE.splitlines()[1:9])}
+SYMMETRY = "*BOUNDARY\nx0, 1\ny0, 2\nz0, 3\n"
+
+BODY_PROBES = {"q": "von_mises", "p": "plastic_strain_equivalent", "c": "creep_strain_equivalent",
+               **{f"s{c}": f"stress_{c}" for c in ("xx", "yy", "zz", "xy", "yz", "zx")}}
+
+
+def of_body(*names):
+    return "".join(f'[[probes]]\nname = "{name}"\nquantity = "{BODY_PROBES[name]}"\nbody = "Body"\n' for name in names)
+
+
+def of_node(number, at, components="xyz", body="Body"):
+    place = f'at = [{", ".join(f"{x:.12g}" for x in at)}]\nbody = "{body}"\n'
+    return "".join(f'[[probes]]\nname = "u{c}{number}"\nquantity = "displacement_{c}"\n{place}' for c in components)
+
+
+def cube(elastic, plastic):
+    return f"{CUBE_MESH}*MATERIAL, NAME=M\n*ELASTIC\n{elastic}\n{plastic}*SOLID SECTION, ELSET=Body, MATERIAL=M\n"
+
+
+def contracted(a, b):
+    """xx, yy, zz, xy, yz, zx"""
+    return sum(x * y for x, y in zip(a[:3], b[:3])) + 2 * sum(x * y for x, y in zip(a[3:], b[3:]))
+
+
+def deviator(a):
+    return [x - sum(a[:3]) / 3 if i < 3 else x for i, x in enumerate(a)]
+
+
+def along_path(*arguments):
+    """Stress and accumulated plastic strain at the corners of a path of strains, extrapolated from two numbers of substeps."""
+    coarse, fine = (in_substeps(n, *arguments) for n in (250, 500))
+    return [([2 * b - a for a, b in zip(s, t)], 2 * q - p) for (s, p), (t, q) in zip(coarse, fine)]
+
+
+def in_substeps(substeps, strains, young, poisson, yield_stress, hardening=0.0, back_stresses=()):
+    """Backward Euler, in equal substeps from corner to corner: the error is of first order."""
+    shear, bulk = young / (2 * (1 + poisson)), young / (3 * (1 - 2 * poisson))
+    flow, backs, p, result = [0.0] * 6, [[0.0] * 6 for _ in back_stresses], 0.0, []
+    for start, end in zip(strains, strains[1:]):
+        for n in range(1, substeps + 1):
+            strain = [a + (b - a) * n / substeps for a, b in zip(start, end)]
+            stress = [2 * shear * (e - f) for e, f in zip(deviator(strain), flow)]
+            d = 0.0
+            for _ in range(30):
+                fades = [1 / (1 + gamma * d) for _, gamma in back_stresses]
+                beyond = [s - sum(fade * x[i] for fade, x in zip(fades, backs)) for i, s in enumerate(stress)]
+                size = math.sqrt(1.5 * contracted(beyond, beyond))
+                slope = 3 * shear + sum(fade * c for fade, (c, _) in zip(fades, back_stresses))
+                excess = size - slope * d - yield_stress - hardening * (p + d)
+                if excess <= 1e-10 * yield_stress and d == 0 or abs(excess) < 1e-10 * yield_stress:
+                    break
+                d += excess / (3 * shear + hardening + sum(c for c, _ in back_stresses))
+            if d > 0:
+                normal = [b / size for b in beyond]
+                flow = [f + 1.5 * d * m for f, m in zip(flow, normal)]
+                stress = [s - 3 * shear * d * m for s, m in zip(stress, normal)]
+                backs = [[fade * (x + c * d * m) for x, m in zip(back, normal)] for fade, back, (c, _) in zip(fades, backs, back_stresses)]
+                p += d
+        pressure = bulk * sum(strain[:3])
+        result.append(([s + pressure if i < 3 else s for i, s in enumerate(stress)], p))
+    return result
+
+
+class Plane:
+    """Stress (s, sqrt(3) t) of a tension s and a shear t: von Mises stresses are lengths, and plastic strain is along the normal.
+
+    Closed forms along straight paths of the stress. Isotropic hardening: d eps = S (S . d)/(H |S|^2). Prager: the back stress
+    follows the stress as a weight on a leash as long as the yield stress, on a tractrix."""
+
+    def __init__(self, young, poisson, yield_stress, tangent):
+        self.young, self.poisson, self.yield_stress = young, poisson, yield_stress
+        self.modulus = young * tangent / (young - tangent)
+
+    @staticmethod
+    def point(tension, shear):
+        return tension, math.sqrt(3) * shear
+
+    @staticmethod
+    def relative_to_path(start, end, origin):
+        """Length, direction and normal of the path, and where it begins: along it from the point nearest to the origin, and off."""
+        length = math.dist(start, end)
+        d = [(b - a) / length for a, b in zip(start, end)]
+        s = [a - o for a, o in zip(start, origin)]
+        along = s[0] * d[0] + s[1] * d[1]
+        off = [s[i] - along * d[i] for i in (0, 1)]
+        return length, d, [x / math.hypot(*off) for x in off], along, math.hypot(*off)
+
+    def first_load(self, end):
+        size = math.hypot(*end)
+        return [x / size * (size - self.yield_stress) / self.modulus for x in end]
+
+    def isotropic(self, start, end, flow):
+        """From yielding, through the elastic range, to yielding again."""
+        length, d, e, along, off = self.relative_to_path(start, end, (0, 0))
+        a, b = abs(along), along + length
+        x, y = off / 2 * math.log((off**2 + b**2) / (off**2 + a**2)), b - a - off * (math.atan(b / off) - math.atan(a / off))
+        return [flow[i] + (e[i] * x + d[i] * y) / self.modulus for i in (0, 1)]
+
+    def kinematic(self, start, end, flow):
+        length, d, e, along, off = self.relative_to_path(start, end, [self.modulus * f for f in flow])
+        angle = 2 * math.atan(math.tan(math.atan2(off, abs(along)) / 2) * math.exp(-(length - max(0, -2 * along)) / self.yield_stress))
+        leash = [self.yield_stress * (math.cos(angle) * d[i] + math.sin(angle) * e[i]) for i in (0, 1)]
+        return [(end[i] - leash[i]) / self.modulus for i in (0, 1)]
+
+    def strain(self, stress, flow):
+        """xx and xy"""
+        return (stress[0] / self.young + flow[0],
+                (1 + self.poisson) / self.young * stress[1] / math.sqrt(3) + math.sqrt(3) / 2 * flow[1])
+
+
+class PlasticTest(ImportTest):
+    def run_deck(self, name, deck, probes, breaks=0, end=1):
+        """With this many equal parts of the run between breakpoints."""
+        self.import_deck(name, deck)
+        path = self.directory / "imported" / f"{name}.toml"
+        text = path.read_text()
+        if breaks:
+            times = ", ".join(f"{end * i / breaks:.10g}" for i in range(1, breaks))
+            path.write_text(text.replace("[time]\n", f"[time]\nbreakpoints = [{times}]\n"))
+        return self.run_imported(name, probes)
+
+
+class ImportOfPlasticity(PlasticTest):
+    def cube_along(self, strains, elastic, plastic):
+        """All nodes follow the strains."""
+        deck = cube(elastic, plastic)
+        for xx, yy, zz, xy, yz, zx in strains[1:]:
+            gradient = ((xx, xy, zx), (xy, yy, yz), (zx, yz, zz))
+            deck += step("*BOUNDARY\n" + "".join(f"{n}, {i}, {i}, {sum(g * x for g, x in zip(row, at)):.12g}\n"
+                                                 for n, at in CUBE_NODES.items() for i, row in enumerate(gradient, 1)))
+        return deck
+
+    def test_nafems_nl1(self):
+        """NAFEMS Non-Linear Benchmarks (NNB, Rev. 1, October 1989), NL1: a prescribed path of strain in plane strain.
+
+        Its effective stresses with hardening are up to 1 % from those of an integration in small steps."""
+        corners = ((0, 0), (0.25, 0), (0.5, 0), (0.5, 0.25), (0.5, 0.5), (0.25, 0.5), (0, 0.5), (0, 0.25), (0, 0))
+        nodes = "*NODE, NSET=Nall\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n*ELEMENT, TYPE=CPE4R, ELSET=Body\n1, 1, 2, 3, 4\n"
+        nodes += "*NSET, NSET=Right\n2, 3\n*NSET, NSET=Up\n3, 4\n*BOUNDARY\n1, 1, 2\n2, 2\n4, 1\n*MATERIAL, NAME=M\n*ELASTIC\n250e3, 0.25\n"
+        path = "".join(step(f"*BOUNDARY\nRight, 1, 1, {x}e-4\nUp, 2, 2, {y}e-4\n") for x, y in corners[1:])
+        strains = [(x * 1e-4, y * 1e-4, 0, 0, 0, 0) for x, y in corners]
+        for modulus, targets in ((0, (5, 5, 5, 5, 5, 5, 3.917, 5)), (62500, (5, 5.862, 5.482, 6.362, 6.640, 7.322, 4.230, 5.673))):
+            with self.subTest(modulus):
+                exact = [math.sqrt(1.5 * contracted(deviator(s), deviator(s)))
+                         for s, _ in along_path(strains, 250e3, 0.25, 5.0, modulus)]
+                deck = nodes + f"*PLASTIC\n5, 0\n{5 + modulus}, 1\n*SOLID SECTION, ELSET=Body, MATERIAL=M\n1.\n" + path
+                for breaks, tolerance in ((0, 1e-3), (256, 1e-4)):
+                    rows = self.run_deck(f"nl1_{modulus}_{breaks}", deck, of_body("q"), breaks, 8)
+                    self.assertEqual([row["time"] for row in rows], list(range(9)))
+                    for row, target, reference in zip(rows[1:], targets, exact):
+                        self.expect_close(row["q"], target, 0.01 if modulus else 1e-3)
+                        self.expect_close(row["q"], reference, tolerance)
+
+    def test_tension_and_shear_of_code_aster(self):
+        """SSNP15 and SSNP14 (V6.03.015, V6.03.014): stress in tension and shear; isotropic, and Prager's hardening.
+
+        SSNP15 gives 0.014830, 0.013601 and 0.035265, 0.020471; the closed forms are the same."""
+        plane = Plane(195000, 0.3, 181, 1930)
+        for hardening, loads in (("ISOTROPIC", ((151.2, 93.1), (257.2, 33.1))),
+                                 ("KINEMATIC", ((151.2, 93.1), (257.2, 33.1), (259.3, 0)))):
+            deck = cube("195000, 0.3", f"*PLASTIC, HARDENING={hardening}\n181, 0\n{181 + plane.modulus:.12g}, 1\n")
+            deck += "*BOUNDARY\n1, 1, 3\n2, 2, 3\n4, 3\n"
+            for tension, shear in loads:
+                deck += step("*CLOAD\n" + "".join(
+                    f"{n}, 1, {((2 * x - 1) * tension + (2 * y - 1) * shear) / 4:.12g}\n{n}, 2, {(2 * x - 1) * shear / 4:.12g}\n"
+                    for n, (x, y, z) in CUBE_NODES.items()))
+            points = [plane.point(*load) for load in loads]
+            flows = [plane.first_load(points[0])]
+            for start, end in zip(points, points[1:]):
+                flows.append((plane.isotropic if hardening == "ISOTROPIC" else plane.kinematic)(start, end, flows[-1]))
+            exact = [plane.strain(*both) for both in zip(points, flows)]
+            if hardening == "ISOTROPIC":
+                for strains, published in zip(exact, ((0.0148297, 0.0136014), (0.035265, 0.020471))):
+                    for value, reference in zip(strains, published):
+                        self.expect_close(value, reference, 1e-5)
+            for breaks, tolerance in ((0, 3e-3), (64 * len(loads), 5e-5)):
+                with self.subTest((hardening, breaks)):
+                    rows = self.run_deck(f"{hardening}{breaks}", deck, of_node(2, (1, 0, 0)) + of_node(4, (0, 1, 0)), breaks, len(loads))
+                    self.assertEqual(len(rows), 1 + len(loads))
+                    for row, (xx, xy) in zip(rows[1:], exact):
+                        self.expect_close(row["ux2"], xx, tolerance)
+                        self.expect_close((row["ux4"] + row["uy2"]) / 2, xy, tolerance)
+
+    def test_back_stresses_along_a_path(self):
+        """Straining in turning directions, back and forth: Prager, and two back stresses of Armstrong and Frederick."""
+        strains = [[3e-4 * x for x in e] for e in ((0,) * 6, (-3, -3, 6, 0, 0, 4), (1, 2, -3, 2, 0, 8), (4, 2, -6, 2, 4, -3))]
+        for name, plastic, back_stresses in (
+                ("prager", "*PLASTIC, HARDENING=KINEMATIC\n200, 0\n1200, 0.1\n", ((1e4, 0),)),
+                ("two", "*PLASTIC, HARDENING=COMBINED, DATA TYPE=PARAMETERS, NUMBER BACKSTRESSES=2\n200, 4e4, 400, 5e3, 50\n",
+                 ((4e4, 400), (5e3, 50)))):
+            exact = along_path(strains, 2e5, 0.3, 200.0, 0.0, back_stresses)
+            for breaks, tolerance in ((0, 5e-4), (180, 2e-4)):
+                with self.subTest((name, breaks)):
+                    rows = self.run_deck(f"{name}{breaks}", self.cube_along(strains, "2e5, 0.3", plastic),
+                                         of_body("p", "sxx", "syy", "szz", "sxy", "syz", "szx"), breaks, 3)
+                    self.assertEqual(len(rows), 4)
+                    for row, (stress, p) in zip(rows[1:], exact):
+                        size = max(map(abs, stress))
+                        for c, value in zip(("xx", "yy", "zz", "xy", "yz", "zx"), stress):
+                            self.assertAlmostEqual(row[f"s{c}"], value, delta=tolerance * size, msg=(c, row["time"]))
+                        self.expect_close(row["p"], p, tolerance)
+
+    def test_cycles_by_amplitude(self):
+        """A bar strained by 0.5 % there, back and to nothing in one step."""
+        young, yield_stress, modulus, strain = 2e5, 200.0, 1e4, 0.005
+        tangent = young * modulus / (young + modulus)
+        for hardening in ("ISOTROPIC", "KINEMATIC"):
+            stress, limit, last = 0.0, yield_stress, 0.0
+            for way in (strain, -2 * strain, strain):
+                sign = math.copysign(1, way)
+                elastic = limit if last == 0 else 2 * (limit if hardening == "ISOTROPIC" else yield_stress)
+                stress += sign * (elastic + (abs(way) - elastic / young) * tangent)
+                limit, last = abs(stress), way
+            deck = cube("2e5, 0.3", f"*PLASTIC, HARDENING={hardening}\n200, 0\n1200, 0.1\n") + SYMMETRY
+            deck += "*AMPLITUDE, NAME=A\n0, 0, 0.25, 1, 0.75, -1, 1, 0\n" + step(f"*BOUNDARY, AMPLITUDE=A\nz1, 3, 3, {strain}\n")
+            rows = self.run_deck(f"cycle{hardening}", deck, of_body("szz"))
+            self.expect_close(rows[-1]["szz"], stress, 1e-6)
+
+    def test_creep_next_to_plasticity(self):
+        """As in Abaqus, both add up, also below the yield stress. A yield stress of zero is creep alone, as in CalculiX."""
+        table = "*PLASTIC\n100, 0\n200, 0.01\n*CREEP\n1e-9, 3, 0\n"
+        hold = step("", "*VISCO, CETOL=1e-4\n1., 10.")
+        steps = step("*DLOAD\nBody, P2, -50\n") + hold + step("*DLOAD\nBody, P2, -150\n") + hold
+        rows = self.run_deck("both", cube("2e5, 0.3", table) + SYMMETRY + steps, of_body("p", "c") + of_node(7, (1, 1, 1)))
+        before, end = rows[-2:]
+        for row, values in ((before, (0, 1e-8 * 50**3, 50 / 2e5)), (end, (0.005, 1e-8 * (50**3 + 150**3), 150 / 2e5))):
+            self.assertAlmostEqual(row["p"], values[0], delta=1e-6)
+            self.expect_close(row["c"], values[1], 1e-5)
+            self.expect_close(row["uz7"], sum(values), 1e-4)
+        alone = cube("2e5, 0.3", table.replace("100, 0\n200, 0.01", "0, 0\n0, 10")) + SYMMETRY
+        rows = self.run_deck("alone", alone + steps, of_body("c"))
+        self.assertNotIn("plasticity]", (self.directory / "imported" / "alone.toml").read_text())
+        self.expect_close(rows[-1]["c"], 1e-8 * (50**3 + 150**3), 1e-5)
+
+    def test_tables_end_and_depend_on_temperature(self):
+        """After its last point a table is level, as in CalculiX; between temperatures stresses are interpolated."""
+        pulled = step("*BOUNDARY\nz1, 3, 3, 0.02\n")
+        rows = self.run_deck("level", cube("2e5, 0.3", "*PLASTIC\n200, 0\n300, 0.01\n") + SYMMETRY + pulled, of_body("szz"))
+        self.expect_close(rows[-1]["szz"], 300, 1e-9)
+        stress = 140 + (0.4 * 2000 + 0.6 * 900) * 0.01  # at 320
+        for hardening in ("ISOTROPIC", "KINEMATIC"):
+            plastic = f"*PLASTIC, HARDENING={hardening}\n200, 0, 20\n400, 0.1, 20\n100, 0, 520\n190, 0.1, 520\n"
+            deck = cube("2e5, 0.3", plastic) + SYMMETRY + "*INITIAL CONDITIONS, TYPE=TEMPERATURE\nNall, 320\n"
+            rows = self.run_deck(f"hot{hardening}", deck + step(f"*BOUNDARY\nz1, 3, 3, {0.01 + stress / 2e5}\n"), of_body("szz"))
+            self.expect_close(rows[-1]["szz"], stress, 1e-6)
+
+
+class PlasticDecksOfCalculix(PlasticTest):
+    """The same meshes in both programs."""
+
+    # of displacements, relative to the largest one, and of the largest plastic strain; in contact elastic blocks differ as much
+    tolerances = {"bar": (1e-4, 1e-3), "cylinder": (3e-4, None), "plate": (4e-4, 1e-3), "heated": (2e-4, 2e-4), "blocks": (4e-3, 0.02)}
+
+    def expect_values(self, name, ends, expected, of_displacement, of_flow):
+        size = max(abs(value) for u, _ in expected for at in u.values() for value in at)
+        for time, ((u, flow), (their_u, their_flow)) in enumerate(zip(ends, expected, strict=True), 1):
+            for number, at in their_u.items():
+                for c, value, reference in zip("xyz", u[number], at):
+                    self.assertAlmostEqual(value, reference, delta=of_displacement * size, msg=(name, time, f"u{c}", number))
+            if of_flow:
+                self.expect_close(flow, their_flow, of_flow)
+
+    def run_example(self, name, deck, grids, bodies):
+        numbers = DECKS[name][1]
+        probes = of_body("p").replace("Body", bodies[0]) + 'reduce = "max"\n'
+        probes += "".join(of_node(number, at, "xyz" if "C3D" in deck else "xy", body) for body, grid in zip(bodies, grids)
+                          for number, at in grid.nodes.items() if number in numbers)
+        return [({number: [row.get(f"u{c}{number}", 0.0) for c in "xyz"] for number in numbers}, row["p"])
+                for row in self.run_deck(name, deck, probes)]
+
+    def test_values(self):
+        for name, (make, _) in DECKS.items():
+            with self.subTest(name):
+                self.expect_values(name, self.run_example(name, *make())[1:], VALUES[name], *self.tolerances[name])
+
+    def test_values_at_the_start_of_creep(self):
+        """The loads of the first step are those of t = 0, and are applied in parts."""
+        for name in ("bar", "cylinder", "plate", "blocks"):
+            with self.subTest(name):
+                deck, *model = DECKS[name][0]()
+                deck = deck[:deck.index("*END STEP\n")] + "*END STEP\n" + step("", "*VISCO, CETOL=1e-4\n1., 1.")
+                deck = deck.replace("*SOLID SECTION", "*CREEP\n1e-30, 3, 0\n*SOLID SECTION")
+                self.expect_values(name, self.run_example(name, deck, *model)[:1], VALUES[name][:1], *self.tolerances[name])
+
+    @unittest.skipUnless(shutil.which("ccx"), "needs the Debian package calculix-ccx")
+    def test_values_are_those_of_calculix(self):
+        """In fewer increments than the stored ones."""
+        for name in ("bar", "plate", "heated"):
+            with self.subTest(name):
+                make, numbers = DECKS[name]
+                self.expect_values(name, plastic_decks.by_calculix(make()[0], numbers, 20), VALUES[name], 3e-3, 0.015)
+
+
+@unittest.skipUnless(EXAMPLES.exists(), "needs the Debian package calculix-ccx-test")
+class PlasticExamplesOfCalculix(PlasticTest):
+    """Bars of the decks that come with CalculiX, E = 210000, which yield at 800 and harden by 8000. Here strains are small, with
+    NLGEOM there they are finite: hence closed forms instead of printed values."""
+
+    def run_example(self, name, probes):
+        return self.run_deck(name, deck_text(name), probes.replace("Body", "B1"))[1:]
+
+    def test_bars(self):
+        elastic, hardening, length = 210000.0, 8000.0, 8.0
+        both = elastic * hardening / (elastic + hardening)
+        rows = self.run_example("beampiso", of_body("p") + of_node(5, (0, 0, 8)))
+        for row, stress in zip(rows, (964, -964), strict=True):  # pulled, then pressed: does not yield again
+            self.expect_close(row["p"], 164 / hardening, 1e-5)
+            self.expect_close(row["uz5"], length * (stress / elastic + 164 / hardening), 1e-5)
+        rows = self.run_example("beampkin", of_body("p") + of_node(5, (0, 0, 8)))
+        for row, stress, p in zip(rows, (964, -964), (164, 3 * 164), strict=True):  # yields after 1600
+            self.expect_close(row["p"], p / hardening, 1e-5)
+            self.expect_close(row["uz5"], length * (stress / elastic + stress / 964 * 164 / hardening), 1e-5)
+        pulled = 800 + (0.231 / length - 800 / elastic) * both
+        pressed = pulled - 1600 - (0.409 / length - 1600 / elastic) * both
+        for row, stress in zip(self.run_example("beampd", of_body("szz")), (pulled, pressed), strict=True):
+            self.expect_close(row["szz"], stress, 1e-6)
+        (row,) = self.run_example("beampt", of_body("szz"))
+        self.expect_close(row["szz"], -800 - (12e-6 * 1500 - 800 / elastic) * both, 1e-6)
+        deck = deck_text("beamcr")  # yield stress zero: creep
+        rows = self.run_deck("beamcr", deck, of_body("c", "szz").replace("Body", "B1"))
+        self.expect_close(rows[-1]["c"], 1e-10 * rows[-1]["szz"]**5 * 0.001, 1e-5)
+        self.expect_close(rows[-1]["szz"], 100, 1e-4)
+
+
+if __name__ == "__main__":
+    unittest.main()
