@@ -90,7 +90,7 @@ std::vector<std::string> sentences(const RunData& run) {
                                   limit, name, cycles->completed));
     }
   for (const auto& [name, yielded] : summary.plastic_strain)
-    all.push_back(fmt::format("Body {} has yielded in {:.2g} % of its volume; its largest plastic strain is {:.3g} {}.",
+    all.push_back(fmt::format("Body {} has yielded in {:.3g} % of its volume; its largest plastic strain is {:.3g} {}.",
                               name, 100 * yielded.volume, yielded.strain.value, at_place(yielded.strain)));
   for (const auto& [name, largest] : summary.damage)
     all.push_back(fmt::format("The damage of body {} reaches {:.3g} {}.", name, largest.value, at_place(largest)));

@@ -1,6 +1,7 @@
 """creepcontact-mpi on several processes, more than there are cores: the results of one process, and errors that end all."""
 
 import csv
+import json
 import os
 import pathlib
 import re
@@ -137,6 +138,31 @@ class MpiContact(MpiTest):
     def test_preloads_and_friction(self):
         self.expect_equal_runs("bolted_flange", (2,), "time.end=10", *self.coarse("bolted_flange"))
         self.expect_equal_runs("press_fit_torque", (3,), "time.end=100", *self.coarse("press_fit_torque"))
+
+
+class MpiPlasticity(MpiTest):
+    """Plastic strains are iterated: equal within what that leaves."""
+    PRECISION = 1e-6
+
+    def run_bolt(self, processes, output, *more):
+        done = self.done(processes, "run", ROOT / "configs" / "bolt_tightened_past_yield.toml", "--quiet", "--output", output,
+                         "--set", "time.output=[0.02, 0.05, 2, 8]", *more)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.directory / output
+
+    def test_a_bolt_that_yields_and_is_resumed(self):
+        serial = self.run_bolt(0, "serial", "--set", "time.end=100")
+        self.run_bolt(3, "spread", "--set", "time.end=2")
+        spread = self.run_bolt(2, "spread", "--set", "time.end=100", "--resume")
+        self.expect_the_same(serial, spread, self.PRECISION)
+        yielded = [json.loads((directory / "summary.json").read_text())["plastic_strain"]["bolt"] for directory in (serial, spread)]
+        self.assertAlmostEqual(yielded[1]["largest"] / yielded[0]["largest"], 1, delta=self.PRECISION)
+        self.assertAlmostEqual(yielded[1]["volume_share"], yielded[0]["volume_share"], delta=1e-9)
+
+    def test_multigrid(self):
+        direct = self.run_bolt(0, "direct", "--set", "time.end=2")
+        multigrid = self.run_bolt(2, "multigrid", "--set", "time.end=2", "--set", "linear_solver.method=multigrid")
+        self.expect_the_same(direct, multigrid, 1e-4)
 
 
 class MpiMultigrid(MpiTest):

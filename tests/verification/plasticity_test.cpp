@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "support/says.hpp"
-#include "verification/cube.hpp"
 #include "verification/interrupted.hpp"
 #include "verification/plane_regions.hpp"
+#include "verification/plastic_models.hpp"
 #include "verification/rings.hpp"
 
 namespace creepcontact {
@@ -18,30 +18,6 @@ namespace {
 using namespace test;
 
 const double k = 1 / std::numbers::sqrt3;  // yield stress in shear
-
-const std::string inside = "body = \"cube\"\nreduce = \"mean\"";
-
-/// A bar of length 100 under a strain, free to contract.
-Outcome run_bar(const std::string& material, const std::string& strain, const std::string& time,
-                const std::vector<std::string>& overrides = {}) {
-  const std::string toml =
-      R"toml(
-    [mesh]
-    file = "case.geo"
-    order = 1
-    [bodies.cube]
-    region = "cube"
-    material = "alloy"
-    [materials.alloy]
-    young_modulus = 1000
-    poisson_ratio = 0.3
-  )toml" +
-      material + "\n[time]\n" + time + "\n" + probe("stress", "stress_xx", inside) +
-      probe("plastic", "plastic_strain_xx", inside) + probe("sideways", "plastic_strain_yy", inside) +
-      probe("accumulated", "plastic_strain_equivalent", inside) + probe("strain", "strain_xx", inside) +
-      support("x0", "x") + support("y0", "y") + support("z0", "z") + support("x1", "x", strain);
-  return run_case(toml, cube_geo, overrides);
-}
 
 TEST(PlasticBar, HardensAlongItsTable) {
   const Outcome bar = run_bar("plasticity.curve = { plastic_strain = [0, 0.001, 0.005], stress = [1, 1.2, 1.5] }",
@@ -95,25 +71,6 @@ TEST(PlasticBar, ThatStaysElasticHasTheSameBits) {
     EXPECT_EQ(with.history.column(name), without.history.column(name)) << name;
   EXPECT_EQ(with.summary.number("steps"), without.summary.number("steps"));
   EXPECT_EQ(with.summary.number("rhs_evaluations"), without.summary.number("rhs_evaluations"));
-}
-
-const std::string wall_of_alloy = R"toml(
-    [bodies.wall]
-    region = "wall"
-    material = "alloy"
-    [materials.alloy]
-    young_modulus = 1000
-    poisson_ratio = 0.4999
-    plasticity = { yield_stress = 1 }
-)toml";
-
-/// Hill's cylinder, b/a = 2, nu near 0.5, both ends held (R. Hill, 1950).
-std::string cylinder_toml(const std::string& material, const std::string& pressure, const std::string& time) {
-  return section_of("axisymmetric") + wall_of_alloy + material + "\n[time]\n" + time +
-         "\n[[loads]]\non = \"wall_x0\"\npressure = " + pressure + "\n" + support("wall_y0", "y") +
-         support("wall_y1", "y") + probe("bore", "stress_theta", "at = [1, 0.025, 0]\nbody = \"wall\"") +
-         probe("outside", "displacement_x", "at = [2, 0.025, 0]\nbody = \"wall\"") +
-         probe("flow", "plastic_strain_equivalent", "body = \"wall\"\nreduce = \"max\"");
 }
 
 Outcome run_cylinder(const std::string& material, const std::string& pressure, const std::string& time,
@@ -192,43 +149,18 @@ TEST(PlasticJoint, PreloadByForceIsMetBeyondYield) {
   }
 }
 
-/// Strips under an axial stress and cycles of a linear temperature: J. Bree, J. Strain Anal. 2 (1967) 226.
-struct Strip {
-  double per_cycle = 0;  ///< E times the change of the axial strain
-};
-Strip run_strip(double primary, double thermal) {
-  const std::string toml = fmt::format(
-      R"toml({}
-        [bodies.strip]
-        region = "strip"
-        material = "alloy"
-        [generalized_plane_strain]
-        force = {}
-        [materials.alloy]
-        young_modulus = 1000
-        poisson_ratio = 0
-        thermal_expansion = 1e-3
-        reference_temperature = 0
-        plasticity = {{ yield_stress = 1 }}
-        [temperature]
-        value = "{}*(x - 0.5)*(1 - cos(2*_pi*t))/2"
-        [time]
-        end = 6
-        output = [1, 2, 3, 4, 5]
-      )toml",
-      section_of("generalized_plane_strain"), 0.02 * primary, 2 * thermal);
-  const Outcome strip = run_case(
-      toml + support("strip_x0", "x") + support("strip_y0", "y") + probe("strain", "axial_strain", "body = \"strip\""),
-      regions_geo({{"strip", {0, 1, 40}, {0, 0.02, 1}}}));
-  return {1000 * (strip.history.at("strain", 6) - strip.history.at("strain", 5))};
+/// E times the change of the axial strain in the last of six cycles.
+double strip_growth(double primary, double thermal) {
+  const Outcome strip = run_strip(primary, thermal, "end = 6\noutput = [1, 2, 3, 4, 5]");
+  return 1000 * (strip.history.at("strain", 6) - strip.history.at("strain", 5));
 }
 
 TEST(PlasticStrip, ShakesDownOrRatchetsAsBreeSays) {
-  EXPECT_NEAR(run_strip(0.4, 0.5).per_cycle, 0, 1e-9) << "elastic";
-  EXPECT_NEAR(run_strip(0.5, 1.2).per_cycle, 0, 1e-9) << "shakedown";
-  EXPECT_NEAR(run_strip(0.2, 3).per_cycle, 0, 1e-6) << "reverse plasticity";
-  EXPECT_RELATIVE(run_strip(0.7, 1.25).per_cycle, 2 * 1.25 * (1 - 2 * std::sqrt(0.3 / 1.25)), 1e-2);
-  EXPECT_RELATIVE(run_strip(0.3, 4).per_cycle, 2 * (0.3 * 4 - 1), 1e-2);
+  EXPECT_NEAR(strip_growth(0.4, 0.5), 0, 1e-9) << "elastic";
+  EXPECT_NEAR(strip_growth(0.5, 1.2), 0, 1e-9) << "shakedown";
+  EXPECT_NEAR(strip_growth(0.2, 3), 0, 1e-6) << "reverse plasticity";
+  EXPECT_RELATIVE(strip_growth(0.7, 1.25), 2 * 1.25 * (1 - 2 * std::sqrt(0.3 / 1.25)), 1e-2);
+  EXPECT_RELATIVE(strip_growth(0.3, 4), 2 * (0.3 * 4 - 1), 1e-2);
 }
 
 // The elements do not lock, and curved ones with inner displacements flow as the others.
