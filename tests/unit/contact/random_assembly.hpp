@@ -15,12 +15,13 @@
 
 namespace creepcontact::test {
 
-/// What may be chosen without another assembly for the same seed; both are given the number of the body.
+/// What may be chosen without another assembly for the same seed; functions are given the number of the body.
 struct RandomChoice {
   std::function<material::Material(int, double young_modulus)> material = [](int, double young_modulus) {
     return elastic_material(young_modulus);
   };
   std::function<std::string(int)> course = [](int) { return "1"; };  ///< of its loads, a factor > 0 over t
+  std::optional<mechanics::TemperatureField> temperature = std::nullopt;
 };
 
 class RandomBoxes {
@@ -75,7 +76,7 @@ class RandomBoxes {
                                  is_top ? moved(number, squeeze) : moved(number, 0.2 * squeeze)));
     const std::vector<mesh::Face> head = mesh::boundary_faces(mesh, "z1");
     bodies.emplace_back(fmt::format("body {}", number), std::move(mesh), choice_.material(number, modulus),
-                        std::move(supports), std::nullopt);
+                        std::move(supports), choice_.temperature);
     // Pressed within the middle third, so that the body does not tilt off.
     const Vector3 middle = origin + lengths / 2;
     if (is_top && floats)

@@ -39,6 +39,7 @@ struct Yielding {
     SolverOptions result;
     result.plastic_tolerance = 1e-2 * tolerance;
     result.schwarz.tolerance = 1e-12;
+    result.refactor_change = 0.05;
     return result;
   }
   Equilibrium at(double t) {
@@ -49,12 +50,36 @@ struct Yielding {
   }
 };
 
+/// How assemblies differ apart from their seed.
+struct Kind {
+  double friction = 0;
+  bool is_heated = false;  ///< moduli, yield stresses and back stresses change with it, and all expand
+
+  creepcontact::test::RandomChoice choice() const {
+    creepcontact::test::RandomChoice result{.material = [this](int, double E) { return elastic(E); }, .course = course};
+    if (is_heated) result.temperature = Function::expression("100 + 40*sin(2.5*t) + 10*z*cos(t)", {"x", "y", "z", "t"});
+    return result;
+  }
+  material::Material elastic(double young_modulus) const {
+    material::Material result = creepcontact::test::elastic_material(young_modulus);
+    if (is_heated) {
+      result.young_modulus = of_temperature(young_modulus, 0.002);
+      result.thermal_expansion = Function(2e-6);
+      result.reference_temperature = 100;
+    }
+    return result;
+  }
+  Function of_temperature(double at_mean, double falls_by) const {
+    return is_heated ? Function::expression(fmt::format("{}*(1 - {}*(T - 100))", at_mean, falls_by), {"T"}) : at_mean;
+  }
+};
+
 Assembly made(RandomBoxes boxes) {
   return {std::move(boxes.bodies), std::move(boxes.pairs)};
 }
 
-std::vector<double> largest_stresses(unsigned seed, double friction) {
-  Yielding elastic(made(RandomBoxes(seed, friction, {.course = course})));
+std::vector<double> largest_stresses(unsigned seed, const Kind& kind) {
+  Yielding elastic(made(RandomBoxes(seed, kind.friction, kind.choice())));
   std::vector<double> result(elastic.assembly.bodies().size(), 0.0);
   for (double t = 0; t < 3; t += 0.5) {
     const Equilibrium at = elastic.at(t);
@@ -66,23 +91,25 @@ std::vector<double> largest_stresses(unsigned seed, double friction) {
 }
 
 /// Below the largest stress of the elastic body: isotropic, linear kinematic, or Armstrong and Frederick's hardening.
-std::shared_ptr<const Plasticity> plasticity(double largest_stress, double young_modulus, std::mt19937& generator) {
+std::shared_ptr<const Plasticity> plasticity(double largest_stress, double young_modulus, const Kind& kind,
+                                             std::mt19937& generator) {
   std::uniform_real_distribution<double> number(0, 1);
   const double yield = largest_stress * (0.3 + 0.6 * number(generator));
   const double modulus = young_modulus * std::pow(10.0, -2 + 1.5 * number(generator));
   std::vector<material::BackStress> back;
-  if (number(generator) < 0.6) back.push_back({2 * modulus, 0.0});
+  if (number(generator) < 0.6) back.push_back({kind.of_temperature(2 * modulus, 0.003), 0.0});
   if (number(generator) < 0.6) back.push_back({5 * modulus, 5 * modulus / (0.3 * yield)});
-  return std::make_shared<const Plasticity>(yield, modulus, std::move(back));
+  return std::make_shared<const Plasticity>(kind.of_temperature(yield, 0.004), modulus, std::move(back));
 }
 
 /// Directions of the first yield and of the end, from the quadratic equation J(xi + a d) = sy.
 Tensor6 first_direction(const Tensor6& xi, const Tensor6& d, double yield) {
   const double a = 1.5 * d.squaredNorm(), b = 1.5 * xi.dot(d), c = 1.5 * xi.squaredNorm() - yield * yield;
   double part = 0;
-  if (c < -2e-9 * yield * yield)
+  const double on_surface = 2e-9 * yield * yield;
+  if (c < -on_surface)
     part = (-b + std::sqrt(b * b - a * c)) / a;
-  else if (b < 0)
+  else if (c <= on_surface && b < 0)
     part = -2 * b / a;
   const Tensor6 at = xi + part * d;
   return at / size_of(at);
@@ -93,9 +120,7 @@ int expect_flow(const mechanics::Body& body, const PlasticState& before, const E
   const Plasticity& law = *body.material().plasticity;
   const PlasticState& after = at.plastic.bodies[b];
   std::vector<double> constants(law.n_constants());
-  law.evaluate(0, constants);
   const std::size_t n = body.discretization().n_points(), width = 6 * law.n_back();
-  const double mu = at.conditions[b].elastic().at(0).mu;
   const auto tensor_of = [](const std::vector<double>& values, std::size_t point) {
     return values.empty() ? Tensor6(Tensor6::Zero()) : Tensor6(tensor::view(values, point));
   };
@@ -104,14 +129,17 @@ int expect_flow(const mechanics::Body& body, const PlasticState& before, const E
   };
   int flowing = 0;
   for (std::size_t i = 0; i < n; ++i) {
+    const double T = at.conditions[b].temperature.empty() ? 0 : at.conditions[b].temperature[i];
+    const double mu = at.conditions[b].elastic().at(i).mu;
+    law.evaluate(T, constants);
     const double p0 = before.accumulated.empty() ? 0 : before.accumulated[i];
     const double p = after.accumulated.empty() ? 0 : after.accumulated[i], D = p - p0;
     const Tensor6 change = tensor_of(after.strain, i) - tensor_of(before.strain, i);
     const Tensor6 s = tensor::deviator(tensor_of(at.bodies[b].stress, i));
     const Tensor6 X0 = law.back_stress(back_of(before, i), constants),
                   X = law.back_stress(back_of(after, i), constants);
-    const double yield = law.yield_stress(p, 0, constants).stress,
-                 before_yield = law.yield_stress(p0, 0, constants).stress;
+    const double yield = law.yield_stress(p, T, constants).stress,
+                 before_yield = law.yield_stress(p0, T, constants).stress;
     EXPECT_LE(size_of(s - X), (1 + tolerance) * yield) << i;
     EXPECT_GE(D, 0);
     if (D == 0) {
@@ -210,17 +238,19 @@ struct Met {
 };
 
 /// Checks every step of an assembly, to where loads cannot be carried.
-void expect_conditions(unsigned seed, double friction, Met& met) {
-  const std::vector<double> stresses = largest_stresses(seed, friction);
+void expect_conditions(unsigned seed, const Kind& kind, Met& met) {
+  const std::vector<double> stresses = largest_stresses(seed, kind);
   const double scale = largest(stresses);
   std::mt19937 generator(seed);
   const auto material = [&](int body, double young_modulus) {
-    material::Material result = creepcontact::test::elastic_material(young_modulus);
+    material::Material result = kind.elastic(young_modulus);
     const double largest_stress = stresses[static_cast<std::size_t>(body)];
-    if (largest_stress > 1e-6 * scale) result.plasticity = plasticity(largest_stress, young_modulus, generator);
+    if (largest_stress > 1e-6 * scale) result.plasticity = plasticity(largest_stress, young_modulus, kind, generator);
     return result;
   };
-  RandomBoxes boxes(seed, friction, {.material = material, .course = course});
+  creepcontact::test::RandomChoice choice = kind.choice();
+  choice.material = material;
+  RandomBoxes boxes(seed, kind.friction, std::move(choice));
   SCOPED_TRACE(testing::Message() << "seed " << seed << ": " << boxes.description);
   Yielding system(made(std::move(boxes)));
   met.floating += system.solver.interface().problem().n_motions() > 0 ? 1 : 0;
@@ -235,9 +265,9 @@ void expect_conditions(unsigned seed, double friction, Met& met) {
       met.idle += of_body == 0 ? 1 : 0;
     }
     expect_equilibrium(system.assembly, at);
-    met.closed += expect_contact(system.assembly, system.solver.interface().problem(), friction, at);
+    met.closed += expect_contact(system.assembly, system.solver.interface().problem(), kind.friction, at);
     system.solver.accept(at, system.history);
-    if (friction > 0) continue;  // whose path may end elsewhere
+    if (kind.friction > 0) continue;  // whose path may end elsewhere
     const Equilibrium again = system.at(t);
     for (std::size_t b = 0; b < stresses.size(); ++b)
       for (std::size_t i = 0; i < at.bodies[b].stress.size(); ++i)
@@ -247,26 +277,31 @@ void expect_conditions(unsigned seed, double friction, Met& met) {
 
 TEST(PlasticAssemblies, MeetEveryConditionAfterEveryStep) {
   Met met;
-  for (unsigned seed = 1; seed <= 16; ++seed) expect_conditions(seed, 0, met);
-  EXPECT_GT(met.flowing, 10000) << "points";
-  EXPECT_GT(met.idle, 50) << "bodies that rest or unload in a step";
+  for (unsigned seed = 1; seed <= 16; ++seed) expect_conditions(seed, {}, met);
+  EXPECT_GT(met.flowing, 5000) << "points";
+  EXPECT_GT(met.idle, 200) << "bodies that rest or unload in a step";
+  EXPECT_GT(met.closed, 2000);
+  EXPECT_GT(met.floating, 10);
+}
+
+TEST(PlasticAssemblies, MeetEveryConditionWhileTheirTemperatureChanges) {
+  Met met;
+  for (unsigned seed = 1; seed <= 12; ++seed) expect_conditions(seed, {.is_heated = true}, met);
+  EXPECT_GT(met.flowing, 5000) << "points";
   EXPECT_GT(met.closed, 1000);
-  EXPECT_GT(met.floating, 5);
-  std::printf("%d %d %d %d\n", met.flowing, met.idle, met.closed, met.floating);
 }
 
 TEST(PlasticAssemblies, MeetEveryConditionWithFriction) {
   Met met;
-  for (unsigned seed = 1; seed <= 10; ++seed) {
+  for (unsigned seed = 1; seed <= 7; ++seed) {
     try {
-      expect_conditions(seed, 0.1 + 0.02 * (seed % 20), met);
+      expect_conditions(seed, {.friction = 0.1 + 0.02 * (seed % 20)}, met);
     } catch (const contact::SlidingOff&) {
       ++met.unsolved;
     }
   }
-  std::printf("%d %d %d %d %d\n", met.flowing, met.idle, met.closed, met.floating, met.unsolved);
-  EXPECT_GT(met.flowing, 10000) << "points";
-  EXPECT_GT(met.closed, 1000);
+  EXPECT_GT(met.flowing, 2500) << "points";
+  EXPECT_GT(met.closed, 800);
   EXPECT_LE(met.unsolved, 1) << "tilts over under its loads";
 }
 
