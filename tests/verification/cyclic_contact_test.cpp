@@ -161,6 +161,27 @@ TEST(CyclicContact, SolidSectorIsAPartOfTheSolid) {
   expect_same(one.history, all.history, {"mean", "max", "shear", "part", "stress"}, {"axial", "held"}, 1e-7);
 }
 
+/// Both yield where the fit is tightest, at once and while the load grows; with friction too.
+TEST(CyclicContact, YieldsAsInTheFullCircle) {
+  const std::vector<std::string> yielding{"materials.hub.plasticity={yield_stress=3,hardening_modulus=20}",
+                                          "materials.ring.plasticity={yield_stress=4,kinematic=[{C=100,gamma=50}]}",
+                                          "time.tolerance=1e-5", "time.end=2", "time.output=[1]"};
+  for (const char* friction : {"", "friction = 0.1\n"}) {
+    const std::string toml =
+        press_fit(std::string("gap = \"-0.03*(1 + 0.4*sin(6*atan2(y, x)))\"\nslave = \"ring_in\"\n") + friction,
+                  "[[loads]]\non = \"ring_out\"\npressure = \"(2 + sin(6*atan2(y, x)))*(1 + t)\"\n") +
+        test::probe("hub_flow", "plastic_strain_equivalent", "body = \"hub\"\nreduce = \"max\"") +
+        test::probe("ring_flow", "plastic_strain_equivalent", "body = \"ring\"\nreduce = \"max\"");
+    const test::Outcome all = test::run_case(toml, both(hub, ring, full), yielding);
+    const test::Outcome one = test::run_case(toml + cyclic("hub") + cyclic("ring"), both(hub, ring, 1), yielding);
+    for (const char* name : {"mean", "max", "min", "stress", "hub_flow", "ring_flow"})
+      for (const double t : {0.0, 1.0, 2.0})
+        EXPECT_RELATIVE(one.history.at(name, t), all.history.at(name, t), 1e-4) << name << t << friction;
+    EXPECT_GT(all.history.at("hub_flow", 2), all.history.at("hub_flow", 0));
+    EXPECT_GT(all.history.at("ring_flow", 2), all.history.at("ring_flow", 0));
+  }
+}
+
 /// Contact opens over a part of each sector, at both of its faces.
 TEST(CyclicContact, OpensAsInTheFullCircle) {
   const std::string toml = press_fit("gap = \"-0.002 + 0.02*cos(6*atan2(y, x))\"\nslave = \"ring_in\"\n",

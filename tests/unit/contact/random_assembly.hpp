@@ -1,10 +1,11 @@
 #pragma once
-/// Random assemblies of small boxes, condensed onto their contact: stacks of two to four, and two columns side by side
-/// on one base. Boxes may differ in size, mesh, element and stiffness by a factor of a thousand; above the lowest they
-/// are held, or float and are pressed off centre.
+/// Random assemblies of small boxes: stacks of two to four, and two columns side by side on one base. Boxes may differ
+/// in size, mesh, element and stiffness by a factor of a thousand; above the lowest they are held, or float and are
+/// pressed off centre.
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <random>
 
 #include "creepcontact/mechanics/loads.hpp"
@@ -14,10 +15,20 @@
 
 namespace creepcontact::test {
 
-class RandomAssembly {
+/// What may be chosen without another assembly for the same seed; functions are given the number of the body.
+struct RandomChoice {
+  std::function<material::Material(int, double young_modulus)> material = [](int, double young_modulus) {
+    return elastic_material(young_modulus);
+  };
+  std::function<std::string(int)> course = [](int) { return "1"; };  ///< of its loads, a factor > 0 over t
+  std::optional<mechanics::TemperatureField> temperature = std::nullopt;
+};
+
+class RandomBoxes {
  public:
   /// @param friction  coefficient, of all contacts
-  explicit RandomAssembly(unsigned seed, double friction = 0) : generator_(seed), friction_(friction) {
+  explicit RandomBoxes(unsigned seed, double friction = 0, RandomChoice choice = {})
+      : generator_(seed), friction_(friction), choice_(std::move(choice)) {
     const bool columns = one_of(4) == 0;
     const int n_bodies = columns ? 3 : 2 + one_of(3);
     strain_ = 1e-3 * (one_of(8) == 0 ? 1000 : 1);  // of gaps: as deformations, or first contact from far away
@@ -31,15 +42,10 @@ class RandomAssembly {
       if (!columns || b == 0) top.z() += lengths.z();
     }
     for (int b = 1; b < n_bodies; ++b) add_pair(columns ? 0 : static_cast<std::size_t>(b - 1), b);
-    condensed = std::make_unique<Condensed>(std::move(bodies_), std::move(pairs_));
   }
 
-  contact::ContactLoad load() {
-    std::vector<std::vector<double>> y;
-    return condensed->load(0, y);
-  }
-
-  std::unique_ptr<Condensed> condensed;
+  std::vector<mechanics::Body> bodies;
+  std::vector<contact::Pair> pairs;
   std::string description;
 
  private:
@@ -66,27 +72,32 @@ class RandomAssembly {
     if (number == 0)
       supports.push_back(support(mesh, "z0", Vector3::UnitZ()));
     else if (!floats)
-      supports.push_back(support(mesh, is_top ? "z1" : "x1", Vector3::UnitZ(), is_top ? squeeze : 0.2 * squeeze));
+      supports.push_back(support(mesh, is_top ? "z1" : "x1", Vector3::UnitZ(),
+                                 is_top ? moved(number, squeeze) : moved(number, 0.2 * squeeze)));
     const std::vector<mesh::Face> head = mesh::boundary_faces(mesh, "z1");
-    bodies_.emplace_back(fmt::format("body {}", number), std::move(mesh), elastic_material(modulus),
-                         std::move(supports), std::nullopt);
+    bodies.emplace_back(fmt::format("body {}", number), std::move(mesh), choice_.material(number, modulus),
+                        std::move(supports), choice_.temperature);
     // Pressed within the middle third, so that the body does not tilt off.
     const Vector3 middle = origin + lengths / 2;
     if (is_top && floats)
-      bodies_.back().add_load(mechanics::pressure_load(
-          bodies_.back().mesh(), head,
-          Function::expression(fmt::format("{}*(1 + {}*(x - {}) + {}*(y - {}))", 1e-3, uniform(-0.5, 0.5), middle.x(),
-                                           uniform(-0.5, 0.5), middle.y()),
+      bodies.back().add_load(mechanics::pressure_load(
+          bodies.back().mesh(), head,
+          Function::expression(fmt::format("{}*({})*(1 + {}*(x - {}) + {}*(y - {}))", 1e-3, choice_.course(number),
+                                           uniform(-0.5, 0.5), middle.x(), uniform(-0.5, 0.5), middle.y()),
                                {"x", "y", "z", "t"})));
     description += fmt::format("{}x{}x{} {} of {:.2f} x {:.2f} x {:.2f}, E {:.3g}{}{}; ", divisions[0], divisions[1],
                                divisions[2], mesh::name(type), lengths.x(), lengths.y(), lengths.z(), modulus,
                                symmetric ? ", symmetric" : "", floats ? ", floating" : "");
   }
 
+  Function moved(int number, double by) const {
+    return Function::expression(fmt::format("{}*({})", by, choice_.course(number)), {"t"});
+  }
+
   void add_pair(std::size_t lower, std::size_t upper) {
     const auto surface = [&](std::size_t b, const char* name) {
-      return contact::Surface{name, &bodies_[b].mesh(), &bodies_[b].constraints(),
-                              mesh::boundary_faces(bodies_[b].mesh(), name), 1.0};
+      return contact::Surface{name, &bodies[b].mesh(), &bodies[b].constraints(),
+                              mesh::boundary_faces(bodies[b].mesh(), name), 1.0};
     };
     const contact::Surface low = surface(lower, "z1"), up = surface(upper, "z0");
     const bool lower_is_slave = one_of(2) == 0;
@@ -104,7 +115,7 @@ class RandomAssembly {
         fmt::format("{}*({} + {}*x + {}*y)", strain_, uniform(-0.5, 0.5), uniform(-1, 1), uniform(-1, 1)),
         {"x", "y", "z", "t"});
     description += fmt::format("slave {}; ", pair.slave_body);
-    pairs_.push_back(std::move(pair));
+    pairs.push_back(std::move(pair));
   }
 
   static std::int64_t nearest(const mesh::Mesh& mesh, const Vector3& position) {
@@ -116,9 +127,26 @@ class RandomAssembly {
 
   std::mt19937 generator_;
   double friction_;
+  RandomChoice choice_;
   double strain_ = 1e-3;
-  std::vector<mechanics::Body> bodies_;
-  std::vector<contact::Pair> pairs_;
+};
+
+/// RandomBoxes condensed onto their contact.
+class RandomAssembly {
+ public:
+  explicit RandomAssembly(unsigned seed, double friction = 0) {
+    RandomBoxes boxes(seed, friction);
+    description = boxes.description;
+    condensed = std::make_unique<Condensed>(std::move(boxes.bodies), std::move(boxes.pairs));
+  }
+
+  contact::ContactLoad load() {
+    std::vector<std::vector<double>> y;
+    return condensed->load(0, y);
+  }
+
+  std::unique_ptr<Condensed> condensed;
+  std::string description;
 };
 
 }  // namespace creepcontact::test
