@@ -307,6 +307,21 @@ TEST(PlasticAssemblies, MeetEveryConditionWithFriction) {
   EXPECT_LE(met.unsolved, 1) << "tilts over under its loads";
 }
 
+/// Plain iterations without acceleration converge in these.
+TEST(PlasticAssemblies, ConvergeInEveryStep) {
+  for (const unsigned seed : {56U, 107U}) {
+    Met met;
+    EXPECT_NO_THROW(expect_conditions(seed, {}, met)) << seed;
+  }
+}
+
+TEST(PlasticAssemblies, ConvergeInEveryStepWhileTheirTemperatureChanges) {
+  for (const unsigned seed : {16U, 43U, 79U, 98U, 111U}) {
+    Met met;
+    EXPECT_NO_THROW(expect_conditions(seed, {.is_heated = true}, met)) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace plastic_assemblies_tests
 }  // namespace creepcontact::creep

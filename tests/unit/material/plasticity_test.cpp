@@ -152,6 +152,19 @@ TEST(Plasticity, StressStaysOnTheYieldSurfaceAndFlowDissipates) {
   EXPECT_GT(p, 0.05);
 }
 
+/// The yield stress falls by heat while the strain reverses, in one step: from outside the new surface through it and
+/// out on the other side.
+TEST(Plasticity, AReversalWhileTheYieldStressFallsEndsOnTheSurface) {
+  const Plasticity law(Function::table("T", {0, 100}, {1, 0.5}), 0.0, {});
+  std::vector<double> constants(law.n_constants());
+  law.evaluate(100, constants);
+  for (const double trial : {-0.6, -0.8, -2.0}) {
+    const PlasticFlowStep step = law.flow({.stress_deviator = tension(1)}, tension(trial), shear, 100, constants, {});
+    EXPECT_NEAR(axial(tension(trial) - 2 * shear * step.strain), -0.5, 1e-9) << trial;
+    EXPECT_LE(step.accumulated, (0.5 - trial) / 1000) << trial << ": down to 0.5 in tension, and from -0.5 on";
+  }
+}
+
 TEST(Plasticity, BackStressesThatAreNotGivenAreZero) {
   const Plasticity law(0.7, 0.0, {{300, 1000}});
   std::vector<double> constants(law.n_constants()), of_none(6), of_zeros(6);
