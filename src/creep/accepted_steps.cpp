@@ -141,7 +141,7 @@ std::vector<PathLeg> EquilibriumSolver::accept(const Equilibrium& at, CreepStrai
       return static_cast<int>(std::min<double>(max_parts, std::ceil(of * std::sqrt(error / allowed))));
     };
     const std::optional<double> error = return_error(at, history);
-    int n = error ? enough(*error, 1) : 2;
+    int n = error ? enough(*error, 1) : std::isfinite(allowed) ? 2 : 1;
     std::vector<PathLeg> path;
     History end;
     PlasticHistory coarse = at.plastic;

@@ -11,6 +11,7 @@ namespace creepcontact::creep {
 namespace {
 
 constexpr double dependent = 1e-10;  // of the largest: directions that add nothing
+constexpr double far_off = 2;        // of the smallest residual so far
 
 Eigen::Map<const Eigen::VectorXd> view(std::span<const double> values) {
   return {values.data(), static_cast<Index>(values.size())};
@@ -26,6 +27,12 @@ void lengthen(Eigen::VectorXd& values, Index size) {
 
 void AndersonMixing::mix(std::span<const double> x, std::span<const double> f, std::span<double> next) {
   const Eigen::VectorXd residual = view(f) - view(x);
+  const double size = std::sqrt(team_.sum(residual.squaredNorm()));
+  if (size > far_off * smallest_) {  // kinks on the way: what the differences know no longer holds
+    differences_.clear();
+    has_last_ = false;
+  }
+  smallest_ = std::min(smallest_, size);
   if (has_last_) {
     for (Difference& difference : differences_) {
       lengthen(difference.f, residual.size());

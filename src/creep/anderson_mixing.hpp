@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <deque>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -11,8 +12,9 @@
 namespace creepcontact::creep {
 
 /// Takes as the next x the combination of the last f(x) whose residuals f(x) - x cancel best in the sense of least
-/// squares (D. G. Anderson, J. ACM 12 (1965) 547; H. F. Walker, P. Ni, SIAM J. Numer. Anal. 49 (2011) 1715). Vectors
-/// may be distributed over a team. Calls are collective.
+/// squares (D. G. Anderson, J. ACM 12 (1965) 547; H. F. Walker, P. Ni, SIAM J. Numer. Anal. 49 (2011) 1715). Begins
+/// again where the residual has grown beyond twice the smallest one. Vectors may be distributed over a team. Calls are
+/// collective.
 class AndersonMixing {
  public:
   /// @param depth  number of earlier iterations that count @param team  must outlive the object
@@ -31,6 +33,7 @@ class AndersonMixing {
   const Team& team_;
   std::deque<Difference> differences_;  // the latest first
   bool has_last_ = false;
+  double smallest_ = std::numeric_limits<double>::infinity();  // norm of a residual
   Eigen::VectorXd last_f_, last_residual_;
 };
 

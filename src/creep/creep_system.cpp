@@ -88,8 +88,8 @@ void CreepSystem::begin_segment(double begin, double end) {
   segment_begin_ = begin;
   segment_end_ = end;
   yield_steps_.begin_segment();
+  if (history_.plastic.smooth_since != begin) history_.plastic.before.clear();  // not where a run is resumed
   history_.plastic.smooth_since = begin;
-  history_.plastic.before.clear();
 }
 
 double CreepSystem::load_time(double t) const {

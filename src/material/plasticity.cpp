@@ -44,8 +44,11 @@ Tensor6 first_direction(const Tensor6& xi, const Tensor6& d, double yield) {
     const double c = before * before - yield * yield;
     const double root = std::sqrt(std::max(0.0, along * along - length * c));
     part = along > 0 ? -c / (along + root) : (root - along) / length;
-  } else if (before <= (1 + on_surface) * yield && along < 0) {
-    part = -2 * along / length;  // through the elastic range to its other side
+  } else if (along < 0) {
+    // Through the elastic range to its other side, from its surface or from outside, where the yield stress has fallen;
+    // what misses it yields where it comes nearest.
+    const double c = std::max(0.0, before * before - yield * yield);
+    part = (-along + std::sqrt(std::max(0.0, along * along - length * c))) / length;
   }
   const Tensor6 at = xi + std::clamp(part, 0.0, 1.0) * d;
   const double at_size = equivalent(at);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "creepcontact/creep/equilibrium_solver.hpp"
 #include "creepcontact/material/plasticity.hpp"
@@ -47,6 +48,11 @@ struct Yielding {
     Equilibrium result;
     solver.solve(t, no_creep, history, result);
     return result;
+  }
+  /// As one step: what follows it again in parts may end elsewhere.
+  void accept(const Equilibrium& step) {
+    const std::vector<mechanics::CreepStrainView> no_creep(assembly.bodies().size());
+    solver.accept(step, no_creep, history, {.tolerance = std::numeric_limits<double>::infinity()});
   }
 };
 
@@ -268,7 +274,7 @@ void expect_conditions(unsigned seed, const Kind& kind, Met& met) {
     }
     expect_equilibrium(system.assembly, at);
     met.closed += expect_contact(system.assembly, system.solver.interface().problem(), kind.friction, at);
-    system.solver.accept(at, system.history);
+    system.accept(at);
     if (kind.friction > 0) continue;  // whose path may end elsewhere
     const Equilibrium again = system.at(t);
     for (std::size_t b = 0; b < stresses.size(); ++b)

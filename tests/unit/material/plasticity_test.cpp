@@ -113,7 +113,7 @@ TEST(Plasticity, TensionThenTorsionIsOfSecondOrder) {
   const auto error = [&](int n) {
     Specimen tube(law);
     tube.stretch(0.001);
-    Tensor6 stress;
+    Tensor6 stress = Tensor6::Zero();
     for (int i = 1; i <= n; ++i) stress = tube.strain(tension(0.0015) + torsion(0.5 * twist * i / n));
     return std::abs(stress[3] / tensor::sqrt2 / k - std::tanh(2.0));
   };
@@ -145,7 +145,9 @@ TEST(Plasticity, StressStaysOnTheYieldSurfaceAndFlowDissipates) {
     point.strain(strain);
     const double size = std::sqrt(1.5) * point.relative_stress().norm();
     EXPECT_LE(size, point.yield_stress() * (1 + 1e-12));
-    if (point.p() > p) EXPECT_NEAR(size, point.yield_stress(), 1e-11);
+    if (point.p() > p) {
+      EXPECT_NEAR(size, point.yield_stress(), 1e-11);
+    }
     EXPECT_GE(point.p(), p);
     p = point.p();
   }
@@ -159,7 +161,8 @@ TEST(Plasticity, AReversalWhileTheYieldStressFallsEndsOnTheSurface) {
   std::vector<double> constants(law.n_constants());
   law.evaluate(100, constants);
   for (const double trial : {-0.6, -0.8, -2.0}) {
-    const PlasticFlowStep step = law.flow({.stress_deviator = tension(1)}, tension(trial), shear, 100, constants, {});
+    const PlasticFlowStep step =
+        law.flow({.stress_deviator = tension(1), .back = {}}, tension(trial), shear, 100, constants, {});
     EXPECT_NEAR(axial(tension(trial) - 2 * shear * step.strain), -0.5, 1e-9) << trial;
     EXPECT_LE(step.accumulated, (0.5 - trial) / 1000) << trial << ": down to 0.5 in tension, and from -0.5 on";
   }
