@@ -294,6 +294,22 @@ class ImportOfPlasticity(PlasticTest):
         self.import_deck("slippery", deck.format(""))  # nothing depends on the path: the state at t = 0
         self.assertEqual([row["time"] for row in self.run_imported("slippery", force)], [0, 10])
 
+    def test_a_bolt_that_yields_is_tight_before_the_next_load(self):
+        """Tightened beyond yield in one or two steps, held, stretched by a load and relieved of it, before it creeps."""
+        bar = CUBE_MESH.replace("*ELEMENT", "9, 0, 0, 2\n10, 1, 0, 2\n11, 1, 1, 2\n12, 0, 1, 2\n100, 0, 0, 0\n*NSET, NSET=end, GENERATE\n9, 12\n*ELEMENT", 1)
+        bar += ("*ELEMENT, TYPE=C3D8, ELSET=Body\n2, 5, 6, 7, 8, 9, 10, 11, 12\n*SURFACE, NAME=Cut\n1, S2\n"
+                "*PRE-TENSION SECTION, SURFACE=Cut, NODE=100\n0, 0, 1\n*BOUNDARY\nz0, 3\nend, 3\nx0, 1\ny0, 2\n9, 1, 2\n12, 1\n10, 2\n"
+                "*MATERIAL, NAME=M\n*ELASTIC\n1e5, 0.\n*PLASTIC\n250, 0\n350, 0.01\n*CREEP\n1e-30, 3, 0\n*SOLID SECTION, ELSET=Body, MATERIAL=M\n")
+        for name, forces in (("at_once", (300,)), ("in_two", (100, 300))):
+            steps = [f"*CLOAD\n100, 1, {force}\n" for force in forces]
+            steps += ["*BOUNDARY, FIXED\n100, 1\n*BOUNDARY\nend, 3, 3, 0.001\n", "*BOUNDARY\nend, 3, 3, 0.\n"]
+            self.import_deck(name, bar + "".join(map(step, steps)) + step("", "*VISCO\n1., 10."))
+            self.assertIn("preload = { force = 300 }", (self.directory / "imported" / f"{name}.toml").read_text())
+            row = self.run_imported(name, of_body("szz", "p"))[-1]
+            tangent = 1e5 * 1e4 / 1.1e5
+            self.expect_close(row["szz"], 300 + (tangent - 1e5) * 0.001 / 2, 1e-6)
+            self.expect_close(row["p"], 0.005 + tangent / 1e4 * 0.001 / 2, 1e-6)
+
     def test_hill_is_for_creep_alone(self):
         plastic = "*PLASTIC\n100, 0\n200, 0.01\n"
         load = SYMMETRY + step("*DLOAD\nBody, P2, -150\n")
@@ -438,6 +454,10 @@ class PlasticExamplesOfCalculix(PlasticTest):
         for row, stress, p in zip(rows, (964, -964), (164, 3 * 164), strict=True):  # yields after 1600
             self.expect_close(row["p"], p / hardening, 1e-5)
             self.expect_close(row["uz5"], length * (stress / elastic + stress / 964 * 164 / hardening), 1e-5)
+        rows = self.run_example("beampik", of_body("p") + of_node(5, (0, 0, 8)))
+        for row, stress, p, flow in zip(rows, (964, -964), (164, 2 * 164), (164, 0), strict=True):  # both harden by 8000
+            self.expect_close(row["p"], p / 16000, 1e-5)
+            self.expect_close(row["uz5"], length * (stress / elastic + flow / 16000), 1e-5)
         pulled = 800 + (0.231 / length - 800 / elastic) * both
         pressed = pulled - 1600 - (0.409 / length - 1600 / elastic) * both
         for row, stress in zip(self.run_example("beampd", of_body("szz")), (pulled, pressed), strict=True):
