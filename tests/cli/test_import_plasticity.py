@@ -256,6 +256,8 @@ class ImportOfPlasticity(PlasticTest):
         deck = cube("2e5, 0.3", plastic) + SYMMETRY
         for name, steps, p, end in (("before", step(load(150)) + step(load(20)) + hold, 0.005, 10.00002),
                                     ("between", hold + step(load(150)) + step(load(20)) + hold, 0.005, 20.00002),
+                                    ("amplitude", "*AMPLITUDE, NAME=A\n0, 0, 0.5, 1.5, 1, 0.2\n" +
+                                     step("*DLOAD, AMPLITUDE=A\nBody, P2, -100\n") + hold, 0.005, 10.00001),
                                     ("at_once", step(load(150)) + step(load(20), "*VISCO\n1., 10."), 0.005, 10.00001)):
             with self.subTest(name):
                 done = self.import_deck(name, deck + steps)
