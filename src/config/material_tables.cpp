@@ -412,6 +412,9 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
       const Location& at = material.plasticity->location;
       if (material.orthotropic)
         context.errors.add(at, "with 'orthotropic' elasticity", "plasticity of materials with isotropic elasticity");
+      if (material.hill)
+        context.errors.add(at, "with 'hill'",
+                           "one of the two: yielding is that of von Mises, 'hill' is for creep alone");
       for (const CreepMechanism& mechanism : material.creep)
         if (mechanism.law == "chaboche")
           context.errors.add(at, "next to the law 'chaboche', which has a yield stress of its own",

@@ -101,7 +101,11 @@ std::map<std::string, List> lists() {
   of["CREEP"] = taken({"LAW"}) + of_table() + one_of("TIME", {"TOTAL", "CREEP"});
   of["PLASTIC"] = taken({"NUMBER BACKSTRESSES"}) + of_table() +
                   one_of("HARDENING", {"ISOTROPIC", "KINEMATIC", "COMBINED"}) + one_of("DATA TYPE", {"PARAMETERS"}) +
+                  only("EXTRAPOLATION", {"CONSTANT"}) +
                   refused({"RATE", "SCALESTRESS"}, "rates and scales of the yield stress are not known");
+  of["CYCLIC HARDENING"] =
+      of_table() + refused({"PARAMETERS"}, "Q and b are not known; a table of the stress over the plastic strain is") +
+      refused({"RATE"}, "rates of the yield stress are not known");
   of["PHYSICAL CONSTANTS"] =
       taken({"ABSOLUTE ZERO"}) + ignored({"STEFAN BOLTZMANN", "NEWTON GRAVITY", "UNIVERSAL GAS CONSTANT"});
   of["ORIENTATION"] = taken({"NAME", "SYSTEM", "DEFINITION"}) + ignored({"LOCAL DIRECTIONS"});

@@ -48,6 +48,7 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     read("DENSITY", &DeckReader::density);
     read("CREEP", &DeckReader::creep);
     read("PLASTIC", &DeckReader::plastic);
+    read("CYCLIC HARDENING", &DeckReader::cyclic_hardening);
     read("PHYSICAL CONSTANTS", &DeckReader::physical_constants);
     read("AMPLITUDE", &DeckReader::amplitude);
     read("STEP", &DeckReader::step);
@@ -145,10 +146,6 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     add(Kind::impossible, "beams and trusses are not known", {"BEAM SECTION", "BEAM GENERAL SECTION", "TRUSS SECTION"});
     add(Kind::impossible, "springs, dashpots, masses and gap elements are not known",
         {"SPRING", "DASHPOT", "DASHPOTA", "MASS", "GAP", "ROTARY INERTIA", "CONNECTOR SECTION"});
-    add(Kind::impossible,
-        "isotropic hardening next to the back stresses of HARDENING=COMBINED is not known; the laws of "
-        "[materials.<name>.plasticity] have both",
-        {"CYCLIC HARDENING"});
     add(Kind::impossible, "this kind of plasticity is not known",
         {"DEFORMATION PLASTICITY", "DRUCKER PRAGER", "MOHR COULOMB", "CONCRETE"});
     add(Kind::impossible, "large elastic strains are not known", {"HYPERELASTIC", "HYPERFOAM", "HYPO ELASTIC"});

@@ -157,6 +157,10 @@ Deck DeckReader::finish() {
   for (const Section& section : deck_.sections)
     if (!deck_.element_sets.contains(section.elements))
       mistake(fmt::format("{}: *SOLID SECTION: there is no element set '{}'", section.place.text(), section.elements));
+  for (const auto& [name, material] : deck_.materials)
+    if (material.cyclic_hardening && (!material.plastic || material.hardening != "COMBINED"))
+      deck_.impossible.push_back({material.cyclic_hardening->place, "CYCLIC HARDENING",
+                                  "it belongs to *PLASTIC, HARDENING=COMBINED; other plasticity has its own table"});
   std::set<std::int64_t> missing;
   for (const ElementBlock& block : deck_.elements) {
     const auto n = static_cast<std::size_t>(mesh::n_nodes(block.type.cell));

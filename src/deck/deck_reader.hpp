@@ -63,6 +63,7 @@ class DeckReader {
   void density(const Card& card);
   void creep(const Card& card);
   void plastic(const Card& card);
+  void cyclic_hardening(const Card& card);
   void physical_constants(const Card& card);
   void amplitude(const Card& card);
   // Steps

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "card_parameters.hpp"
 #include "element_faces.hpp"
+#include "static_steps.hpp"
 
 namespace creepcontact::deck {
 namespace {
@@ -39,6 +41,7 @@ class Joiner {
          std::vector<Note>& left_out)
       : deck_(deck), resolver_(deck), lockable_(lockable), impossible_(impossible), left_out_(left_out) {
     creeps_ = std::ranges::any_of(deck.steps, [](const Step& step) { return step.is_creep; });
+    if (creeps_) static_time_ = time_of_static_step(deck);
   }
 
   Loading join() {
@@ -66,11 +69,13 @@ class Joiner {
       if (frees_bolts_ != nullptr && held_bolts_.size() < loading_.locked.size())
         impossible(*frees_bolts_, frees_bolts_->places.size(),
                    "OP=NEW frees a bolt whose length was held; FIXED holds it again");
-      const double duration = creeps_ && !step.is_creep ? 0 : step.period;
+      const double duration = creeps_ && !step.is_creep ? static_time_ : step.period;
+      if (static_time_ > 0 && !step.is_creep) note_static_time(step);
       for (auto& [key, entry] : entries_) advance(entry, step, time, duration, total);
       time += duration;
       total += step.period;
       loading_.step_ends.push_back(time);
+      if (step.is_creep) crept_until_ = time;
     }
     loading_.end = time;
     for (auto& [key, entry] : entries_) store(key, entry);
@@ -79,6 +84,13 @@ class Joiner {
   }
 
  private:
+  void note_static_time(const Step& step) {
+    if (std::exchange(noted_static_time_, true)) return;
+    left_out_.push_back({step.place, "STATIC",
+                         fmt::format("what yields or slides depends on the order of the loads, so each *STATIC step "
+                                     "takes {:g} of time in the run, in which creep is negligible",
+                                     static_time_)});
+  }
   void impossible(const RawCard& raw, std::size_t line, const std::string& why) {
     impossible_.push_back({line < raw.places.size() ? raw.places[line] : raw.card.place, raw.card.name, why});
   }
@@ -178,7 +190,7 @@ class Joiner {
     if (lockable_.contains(node) && by_length == entries_.end()) {
       const auto force = entries_.find({Condition::force, node, 1});
       const double reached = force != entries_.end() ? force->second.course.last() : 0.0;
-      loading_.locked.try_emplace(node, Loading::Lock{time, reached});
+      loading_.locked.try_emplace(node, Loading::Lock{static_time_ > 0 ? begin_of_tension(node) : time, reached});
       held_bolts_.insert(node);
       return;
     }
@@ -198,6 +210,15 @@ class Joiner {
       entry.course.add(time, entry.course.last());
       entry.course.add(time, 0);
     }
+  }
+
+  /// The bolt is tight from the begin of the *STATIC step on that tightens it: later loads find it so.
+  double begin_of_tension(std::int64_t node) const {
+    double begin = crept_until_;
+    if (const auto force = entries_.find({Condition::force, node, 1}); force != entries_.end())
+      for (const auto& [time, value] : force->second.course.points())
+        if (value == 0) begin = std::max(begin, time);
+    return begin;
   }
 
   void concentrated(const RawCard& raw) {
@@ -412,7 +433,9 @@ class Joiner {
   std::vector<Note>&impossible_, &left_out_;
   std::map<Key, Entry> entries_;
   Loading loading_;
-  bool creeps_ = false, warned_of_geometry_ = false;
+  bool creeps_ = false, warned_of_geometry_ = false, noted_static_time_ = false;
+  double static_time_ = 0;                // that a *STATIC step takes next to *VISCO steps
+  double crept_until_ = 0;                // end of the last *VISCO step
   const RawCard* frees_bolts_ = nullptr;  // OP=NEW in the present step
   std::set<std::int64_t> held_bolts_;     // in the present step
 };

@@ -75,8 +75,8 @@ struct Loading {
   std::map<std::int64_t, double> initial_temperatures;
 };
 
-/// Joins the steps: *STATIC steps ramp, *VISCO steps begin with their loads. If the deck has *VISCO steps, only these
-/// take time, for in the others nothing creeps.
+/// Joins the steps: *STATIC steps ramp, *VISCO steps begin with their loads. If the deck has *VISCO steps, the others,
+/// in which nothing creeps, take no time or time_of_static_step().
 /// @param lockable  reference nodes that FIXED may hold where they are
 /// @param impossible  gets what cannot be done; @param left_out  what is not taken into account
 Loading join_steps(const Deck& deck, const std::set<std::int64_t>& lockable, std::vector<Note>& impossible,

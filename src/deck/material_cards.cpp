@@ -170,13 +170,16 @@ void DeckReader::plastic(const Card& card) {
         return mistake(card.place, fmt::format("NUMBER BACKSTRESSES: '{}' is not a number from 1 to 10", given));
       material_->back_stresses = static_cast<std::size_t>(*n);
     }
-    if (material_->hardening == "COMBINED" && letters_of(card.value("DATATYPE")) != "PARAMETERS")
-      return mistake(card.place, "HARDENING=COMBINED without DATA TYPE=PARAMETERS (half cycles, stabilised cycles)");
-    if (material_->hardening == "COMBINED" && 1 + 2 * material_->back_stresses > of_line)
+    material_->by_table = material_->hardening != "COMBINED" || !card.has("DATATYPE");
+    if (!material_->by_table && 1 + 2 * material_->back_stresses > of_line)
       return table_of_long_rows(&Material::plastic, card, 1 + 2 * material_->back_stresses);
   }
-  const bool is_combined = material_ != nullptr && material_->hardening == "COMBINED";
-  table(&Material::plastic, card, is_combined ? 1 + 2 * material_->back_stresses : 2, of_line);
+  const bool by_table = material_ == nullptr || material_->by_table;
+  table(&Material::plastic, card, by_table ? 2 : 1 + 2 * material_->back_stresses, of_line);
+}
+
+void DeckReader::cyclic_hardening(const Card& card) {
+  table(&Material::cyclic_hardening, card, 2, 3);
 }
 
 void DeckReader::physical_constants(const Card& card) {

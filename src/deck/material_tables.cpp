@@ -188,7 +188,10 @@ class CreepMaker {
 bool depends_on_temperature_by_yielding(const config::Material& made) {
   return made.plasticity &&
          (made.plasticity->curve.size() > 1 ||
-          (made.plasticity->yield_stress && made.plasticity->yield_stress->depends_on_temperature()));
+          (made.plasticity->yield_stress && made.plasticity->yield_stress->depends_on_temperature()) ||
+          std::ranges::any_of(made.plasticity->kinematic, [](const config::KinematicHardening& back_stress) {
+            return back_stress.C.depends_on_temperature() || back_stress.gamma.depends_on_temperature();
+          }));
 }
 
 void make_material(Draft& draft, const Material& material, config::Material& made) {
@@ -229,8 +232,9 @@ void make_material(Draft& draft, const Material& material, config::Material& mad
     CreepMaker(draft, material).make(made);
   else
     draft.left_out.push_back({material.creep->place, "CREEP",
-                              "creep does not act in *STATIC steps, and the deck has no *VISCO step; the material is "
-                              "elastic"});
+                              fmt::format("creep does not act in *STATIC steps, and the deck has no *VISCO step; the "
+                                          "material is elastic{}",
+                                          yields(material) ? " and yields" : "")});
 }
 
 }  // namespace

@@ -192,7 +192,15 @@ void DeckReader::surface(const Card& card) {
   if (name.empty()) return;
   const std::string type = upper_case(card.value("TYPE"));
   Surface& surface = named(into_->surfaces, name);
-  surface.of_nodes = type == "NODE";
+  const bool of_nodes = type == "NODE";
+  if (!surface.entries.empty() && surface.of_nodes != of_nodes) {
+    deck_.left_out.push_back(
+        {card.place, card.name,
+         fmt::format("'{}' is the name of a surface of nodes and of one of faces: the faces are taken", name)});
+    if (of_nodes) return;
+    surface.entries.clear();
+  }
+  surface.of_nodes = of_nodes;
   on_data_ = [this, &surface](const DataLine& line) {
     SurfaceEntry entry{std::string(line.field(0)), 0, line.place};
     const std::string label = upper_case(line.field(1));

@@ -4,6 +4,7 @@
 
 #include "draft.hpp"
 #include "element_faces.hpp"
+#include "plasticity_tables.hpp"
 
 namespace creepcontact::deck {
 namespace {
@@ -74,15 +75,47 @@ void make_reactions(Draft& draft) {
   }
 }
 
+/// Notes what is printed and becomes no probe.
+void note_other_variables(Draft& draft, const std::string& card, const std::vector<std::string>& known) {
+  for (const RawCard* raw : draft.cards(card)) {
+    std::vector<std::string> others;
+    for (const std::vector<std::string>& line : raw->data)
+      for (const std::string& field : line)
+        if (!field.empty() && std::ranges::find(known, upper_case(field)) == known.end()) others.push_back(field);
+    if (!others.empty())
+      draft.left_out.push_back(
+          {raw->card.place, card,
+           fmt::format("{}: no probes; {} become some", fmt::join(others, ", "), fmt::join(known, ", "))});
+  }
+}
+
+/// PEEQ of what creeps without yielding is creep strain, as in CalculiX. Returns an empty text if a body has none.
+std::string quantity_at(Draft& draft, const std::string& quantity, const DeckBody& body) {
+  const auto material = draft.deck.materials.find(body.material);
+  if (!quantity.starts_with("plastic") || (material != draft.deck.materials.end() && yields(material->second)))
+    return quantity;
+  if (quantity == "plastic_strain_equivalent") return "creep_strain_equivalent";
+  const std::string line = fmt::format("PE of body '{}': no probes, for its material does not yield", body.name);
+  if (std::ranges::none_of(draft.left_out, [&](const Note& note) { return note.consequence == line; }))
+    draft.left_out.push_back({draft.first("EL PRINT"), "EL PRINT", line});
+  return "";
+}
+
 void make_stresses(Draft& draft) {
   struct Kind {
     const char *letter, *quantity;
     bool is_tensor;
   };
-  constexpr std::array kinds{Kind{"S", "stress", true}, Kind{"E", "strain", true},
-                             Kind{"PEEQ", "creep_strain_equivalent", false},
+  constexpr std::array kinds{Kind{"S", "stress", true},
+                             Kind{"E", "strain", true},
+                             Kind{"PE", "plastic_strain", true},
+                             Kind{"CE", "creep_strain", true},
+                             Kind{"PEEQ", "plastic_strain_equivalent", false},
                              Kind{"CEEQ", "creep_strain_equivalent", false}};
   std::set<std::string> names;
+  std::vector<std::string> letters;
+  for (const Kind& kind : kinds) letters.emplace_back(kind.letter);
+  note_other_variables(draft, "EL PRINT", letters);
   for (const Kind& kind : kinds) {
     std::set<std::int64_t> elements;
     for (const RawCard* raw : draft.cards("EL PRINT"))
@@ -100,13 +133,15 @@ void make_stresses(Draft& draft) {
         return std::ranges::binary_search(body.elements, element);
       });
       if (owner == draft.bodies.bodies.end()) continue;
+      const std::string quantity = quantity_at(draft, kind.quantity, *owner);
+      if (quantity.empty()) continue;
       const config::Probe where = at_point(centre, owner->name);
       std::vector<std::string> components{"_xx", "_yy", "_zz", "_xy"};
       if (!draft.is_section()) components.insert(components.end(), {"_yz", "_zx"});
       if (!kind.is_tensor) components = {""};
       for (const std::string& component : components) {
-        const std::string name = fmt::format("{}{}_element_{}", kind.quantity, component, element);
-        if (names.insert(name).second) add_probe(draft, name, kind.quantity + component, where);
+        const std::string name = fmt::format("{}{}_element_{}", quantity, component, element);
+        if (names.insert(name).second) add_probe(draft, name, quantity + component, where);
       }
     }
     note_rest(draft, first, elements.size(), "elements");
@@ -116,13 +151,15 @@ void make_stresses(Draft& draft) {
 }  // namespace
 
 void make_probes(Draft& draft) {
+  note_other_variables(draft, "NODE PRINT", {"U", "RF"});
   make_displacements(draft);
   make_reactions(draft);
   make_stresses(draft);
   if (draft.config.probes.empty())
-    draft.left_out.push_back({draft.deck.steps.back().place, "STEP",
-                              "no *NODE PRINT of U or RF and no *EL PRINT of S, E or PEEQ: there are no probes; add "
-                              "[[probes]] for columns of history.csv"});
+    draft.left_out.push_back(
+        {draft.deck.steps.back().place, "STEP",
+         "no *NODE PRINT of U or RF and no *EL PRINT of S, E, PE, CE, PEEQ or CEEQ: there are no probes; add "
+         "[[probes]] for columns of history.csv"});
 }
 
 }  // namespace creepcontact::deck

@@ -113,6 +113,12 @@ n = 5
 yield_stress = 200
 [[materials.steel.plasticity.kinematic]]
 C = 1
+[bodies.rolled]
+region = "rolled"
+material = "rolled"
+[materials.rolled]
+young_modulus = 2e5
+poisson_ratio = 0.3
 [materials.steel.rupture]
 stress = [50, 100]
 parameter = [2e4, 1e4]
@@ -164,7 +170,8 @@ class Defaults(unittest.TestCase):
         for table, rows in zip(tables[1::2], tables[2::2]):
             if table == "generalized_plane_strain":  # an analysis of its own
                 continue
-            place = table.replace("<name>", "steel")
+            has_axes = table in ("bodies.<name>.material_axes", "materials.<name>.hill")  # not next to plasticity
+            place = table.replace("<name>", "rolled" if has_axes else "steel")
             if re.search(rf"(?m)^\[\[{re.escape(place)}\]\]", EVERY_TABLE):
                 place += "[0]"
             for key, default in re.findall(r"(?m)^\| `([\w.]+)` \| .*? \| `([^`]*)` \| .* \|$", rows):

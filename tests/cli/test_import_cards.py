@@ -41,6 +41,14 @@ class ImportOfCards(ImportTest):
                                    ("itself", "*CONTACT INCLUSIONS\nFoot\n", ("*CONTACT", "itself"))):
             self.assertSays(self.import_deck(name, self.blocks(interaction + cards, pressed), 2).stderr, f"{name}.inp:", *facts)
 
+    def test_surfaces_of_nodes_and_of_faces_with_one_name(self):
+        surfaces = ["*SURFACE, NAME=Top\nCube, S2\n", "*SURFACE, NAME=Top, TYPE=NODE\ntop\n"]
+        deck = CUBE + "*NSET, NSET=top, GENERATE\n5, 8\n{}*STEP\n*STATIC\n*DSLOAD\nTop, P, -100.\n*NODE PRINT, NSET=top\nU\n*END STEP\n"
+        for name, order in (("faces_first", surfaces), ("nodes_first", surfaces[::-1])):
+            done = self.import_deck(name, deck.format("".join(order)))
+            self.assertSays(done.stdout, "*SURFACE: 'Top'", "the faces are taken")
+            self.expect_close(self.run_imported(name)[-1]["uz_node_7"], 0.001, 1e-8)
+
     def test_pairs_that_repeat(self):
         pair = "*SURFACE INTERACTION, NAME=I\n*CONTACT PAIR, INTERACTION=I\nFoot, Top\nFoot, Top\n*CONTACT PAIR, INTERACTION=I\nTop, Foot\n"
         done = self.import_deck("twice", self.blocks(pair, "*DLOAD\nAbove, P2, 50.\n"))

@@ -3,11 +3,14 @@
 import math
 import re
 import shutil
+import subprocess
 import unittest
 
 import plastic_decks
 from plastic_decks import DECKS, VALUES, step
+from process_case import PROGRAM
 from test_import import CUBE, EXAMPLES, ImportTest, deck_text
+from waiting import LONGEST
 
 CUBE_MESH = CUBE[:CUBE.index("*BOUNDARY")].replace("Cube", "Body") + "*NSET, NSET=z1\n5, 6, 7, 8\n"
 CUBE_NODES = {int(number): tuple(map(int, at)) for number, *at in (line.split(",") for line in CUBE.splitlines()[1:9])}
@@ -235,7 +238,7 @@ class ImportOfPlasticity(PlasticTest):
         hold = step("", "*VISCO, CETOL=1e-4\n1., 10.")
         steps = step("*DLOAD\nBody, P2, -50\n") + hold + step("*DLOAD\nBody, P2, -150\n") + hold
         rows = self.run_deck("both", cube("2e5, 0.3", table) + SYMMETRY + steps, of_body("p", "c") + of_node(7, (1, 1, 1)))
-        before, end = rows[-2:]
+        before, end = rows[2], rows[-1]
         for row, values in ((before, (0, 1e-8 * 50**3, 50 / 2e5)), (end, (0.005, 1e-8 * (50**3 + 150**3), 150 / 2e5))):
             self.assertAlmostEqual(row["p"], values[0], delta=1e-6)
             self.expect_close(row["c"], values[1], 1e-5)
@@ -244,6 +247,136 @@ class ImportOfPlasticity(PlasticTest):
         rows = self.run_deck("alone", alone + steps, of_body("c"))
         self.assertNotIn("plasticity]", (self.directory / "imported" / "alone.toml").read_text())
         self.expect_close(rows[-1]["c"], 1e-8 * (50**3 + 150**3), 1e-5)
+
+    def test_order_of_static_steps_before_and_between_creep(self):
+        """What one *STATIC step has made flow the next ones find, though they take next to no time."""
+        plastic = "*PLASTIC\n100, 0\n200, 0.01\n*CREEP\n1e-12, 3, 0\n"
+        load = "*DLOAD\nBody, P2, -{}\n".format
+        hold = step("", "*VISCO, CETOL=1e-4\n1., 10.")
+        deck = cube("2e5, 0.3", plastic) + SYMMETRY
+        for name, steps, p, end in (("before", step(load(150)) + step(load(20)) + hold, 0.005, 10.00002),
+                                    ("between", hold + step(load(150)) + step(load(20)) + hold, 0.005, 20.00002),
+                                    ("amplitude", "*AMPLITUDE, NAME=A\n0, 0, 0.5, 1.5, 1, 0.2\n" +
+                                     step("*DLOAD, AMPLITUDE=A\nBody, P2, -100\n") + hold, 0.005, 10.00001),
+                                    ("at_once", step(load(150)) + step(load(20), "*VISCO\n1., 10."), 0.005, 10.00001)):
+            with self.subTest(name):
+                done = self.import_deck(name, deck + steps)
+                self.assertSays(done.stdout, f"{name}.inp:", "*STATIC: ", "order of the loads", "1e-05 of time")
+                row = self.run_imported(name, of_body("p", "c") + of_node(7, (1, 1, 1)))[-1]
+                self.assertAlmostEqual(row["time"], end, delta=1e-9)
+                self.expect_close(row["p"], p, 1e-4)
+                self.expect_close(row["c"], 1e-11 * 20**3, 0.01)
+                self.expect_close(row["uz7"], p + 20 / 2e5, 1e-3)
+        # Between walls, heated by 300 and cooled again: pressed and then pulled beyond yield.
+        heats = [step(f"*TEMPERATURE\nNall, {T}\n") for T in (320, 20)]
+        walls = "*BOUNDARY\nz1, 3\n*INITIAL CONDITIONS, TYPE=TEMPERATURE\nNall, 20\n"
+        self.import_deck("walls", deck.replace("*CREEP\n1e-12", "*EXPANSION\n1e-5\n*CREEP\n1e-30") + walls + "".join(heats) + hold)
+        pressed = (2e5 * 3e-3 - 100) / 2.1e5
+        pulled = (2e5 * pressed - 100 - 1e4 * pressed) / 2.1e5
+        row = self.run_imported("walls", of_body("p", "szz"))[-1]
+        self.expect_close(row["p"], pressed + pulled, 1e-5)
+        self.expect_close(row["szz"], 2e5 * (pressed - pulled), 1e-5)
+
+    def test_order_of_static_steps_with_friction(self):
+        """A block is pressed on another, pushed along it and pushed back: friction holds against the way back."""
+        above = "".join(f"{n + 10}, {x}, {y}, {z + 1}\n" for n, (x, y, z) in CUBE_NODES.items())
+        deck = CUBE_MESH + "*NODE, NSET=Nall\n" + above + (
+            "*ELEMENT, TYPE=C3D8, ELSET=Upper\n2, 11, 12, 13, 14, 15, 16, 17, 18\n*NSET, NSET=lid, GENERATE\n15, 18\n"
+            "*MATERIAL, NAME=M\n*ELASTIC\n1e5, 0.\n*CREEP\n1e-30, 3, 0\n*SOLID SECTION, ELSET=Body, MATERIAL=M\n"
+            "*SOLID SECTION, ELSET=Upper, MATERIAL=M\n*SURFACE, NAME=Foot\nUpper, S1\n*SURFACE, NAME=Top\nBody, S2\n"
+            "*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HARD\n{}*CONTACT PAIR, INTERACTION=I\nFoot, Top\n"
+            "*BOUNDARY\nNall, 2\nz0, 1\nz0, 3\n")
+        deck += "".join(step(cards) for cards in ("*BOUNDARY\nlid, 1\nlid, 3, 3, -1e-3\n", "*BOUNDARY\nlid, 1, 1, 0.01\n",
+                                                  "*BOUNDARY\nlid, 1, 1, 0.\n")) + step("", "*VISCO\n1., 10.")
+        force = "".join(f'[[probes]]\nname = "{c}"\nquantity = "reaction_{c}"\non = "lid"\n' for c in "xz")
+        self.import_deck("rubbed", deck.format("*FRICTION\n0.2, 1e6\n"))
+        row = self.run_imported("rubbed", force)[-1]
+        self.expect_close(row["x"], 0.2 * row["z"], 1e-6)
+        self.assertLess(row["z"], -40)
+        self.import_deck("slippery", deck.format(""))  # nothing depends on the path: the state at t = 0
+        self.assertEqual([row["time"] for row in self.run_imported("slippery", force)], [0, 10])
+
+    def test_a_bolt_that_yields_is_tight_before_the_next_load(self):
+        """Tightened beyond yield in one or two steps, held, stretched by a load and relieved of it, before it creeps."""
+        bar = CUBE_MESH.replace("*ELEMENT", "9, 0, 0, 2\n10, 1, 0, 2\n11, 1, 1, 2\n12, 0, 1, 2\n100, 0, 0, 0\n*NSET, NSET=end, GENERATE\n9, 12\n*ELEMENT", 1)
+        bar += ("*ELEMENT, TYPE=C3D8, ELSET=Body\n2, 5, 6, 7, 8, 9, 10, 11, 12\n*SURFACE, NAME=Cut\n1, S2\n"
+                "*PRE-TENSION SECTION, SURFACE=Cut, NODE=100\n0, 0, 1\n*BOUNDARY\nz0, 3\nend, 3\nx0, 1\ny0, 2\n9, 1, 2\n12, 1\n10, 2\n"
+                "*MATERIAL, NAME=M\n*ELASTIC\n1e5, 0.\n*PLASTIC\n250, 0\n350, 0.01\n*CREEP\n1e-30, 3, 0\n*SOLID SECTION, ELSET=Body, MATERIAL=M\n")
+        for name, forces in (("at_once", (300,)), ("in_two", (100, 300))):
+            steps = [f"*CLOAD\n100, 1, {force}\n" for force in forces]
+            steps += ["*BOUNDARY, FIXED\n100, 1\n*BOUNDARY\nend, 3, 3, 0.001\n", "*BOUNDARY\nend, 3, 3, 0.\n"]
+            self.import_deck(name, bar + "".join(map(step, steps)) + step("", "*VISCO\n1., 10."))
+            self.assertIn("preload = { force = 300 }", (self.directory / "imported" / f"{name}.toml").read_text())
+            row = self.run_imported(name, of_body("szz", "p"))[-1]
+            tangent = 1e5 * 1e4 / 1.1e5
+            self.expect_close(row["szz"], 300 + (tangent - 1e5) * 0.001 / 2, 1e-6)
+            self.expect_close(row["p"], 0.005 + tangent / 1e4 * 0.001 / 2, 1e-6)
+
+    def test_hill_is_for_creep_alone(self):
+        plastic = "*PLASTIC\n100, 0\n200, 0.01\n"
+        load = SYMMETRY + step("*DLOAD\nBody, P2, -150\n")
+        done = self.import_deck("hill", cube("2e5, 0.3", plastic + "*POTENTIAL\n1, 1, 2, 1, 1, 1\n") + load, 2)
+        self.assertSays(done.stderr, "hill.inp:", "*PLASTIC: ", "*POTENTIAL", "Hill")
+        self.import_deck("plain", cube("2e5, 0.3", plastic) + load)
+        path = self.directory / "imported" / "plain.toml"
+        path.write_text(path.read_text().replace("[materials.M.plasticity", "[materials.M.hill]\nnormal = [1, 1, 2]\n\n[materials.M.plasticity", 1))
+        done = subprocess.run([PROGRAM, "check", str(path)], capture_output=True, text=True, timeout=LONGEST)
+        self.assertEqual(done.returncode, 2)
+        self.assertSays(done.stderr, "materials.M.plasticity", "'hill'", "von Mises")
+
+    def test_what_is_printed(self):
+        """PEEQ and PE are plastic strain where the material yields, CEEQ and CE creep."""
+        prints = "*EL PRINT, ELSET=Body\nPEEQ, CEEQ, PE, CE, ENER\n*END STEP\n"
+        steps = [step("*DLOAD\nBody, P2, -150\n"), step("", "*VISCO\n1., 10.").replace("*END STEP\n", prints)]
+        creep, plastic = "*CREEP\n1e-9, 3, 0\n", "*PLASTIC\n100, 0\n200, 0.01\n"
+        done = self.import_deck("yields", cube("2e5, 0.3", plastic + creep) + SYMMETRY + "".join(steps))
+        self.assertSays(done.stdout, "*PLASTIC: next to *CREEP", "CalculiX", "yield stress)^n", "*EL PRINT: ENER: no probes")
+        row, crept = self.run_imported("yields")[-1], 1e-8 * 150**3
+        for strain, value in (("plastic", 0.005), ("creep", crept)):
+            self.expect_close(row[f"{strain}_strain_equivalent_element_1"], value, 1e-4)
+            self.expect_close(row[f"{strain}_strain_zz_element_1"], value, 1e-4)
+        done = self.import_deck("creeps", cube("2e5, 0.3", creep) + SYMMETRY + "".join(steps))
+        self.assertSays(done.stdout, "*EL PRINT: PE of body 'Body': no probes")
+        row = self.run_imported("creeps")[-1]
+        self.expect_close(row["creep_strain_equivalent_element_1"], crept, 1e-4)
+        self.assertNotIn("plastic_strain", " ".join(row))
+        done = self.import_deck("static", cube("2e5, 0.3", plastic + creep) + SYMMETRY + steps[0])
+        self.assertSays(done.stdout, "*CREEP: ", "elastic and yields")
+        self.assertNotIn("next to *CREEP", done.stdout)
+
+    def test_tables_that_make_no_law(self):
+        load = SYMMETRY + step("*DLOAD\nBody, P2, -150\n")
+        combined = "*PLASTIC, HARDENING=COMBINED, DATA TYPE=PARAMETERS, NUMBER BACKSTRESSES="
+        for i, (table, *words) in enumerate((
+                ("*PLASTIC, HARDENING=KINEMATIC\n100, 0.001\n200, 0.01\n", "first plastic strain must be 0"),
+                ("*PLASTIC, HARDENING=KINEMATIC\n200, 0\n100, 0.01\n", "fall"),
+                ("*PLASTIC, HARDENING=KINEMATIC\n100, 0\n200, 0\n", "increase"),
+                (combined + "2\n100, 1e4, 50\n", "back stress 2"),
+                (combined + "4\n100, 1e4, 50, 2e4, 100, 3e4, 200, 4e4\n", "back stress 4"),
+                ("*PLASTIC, EXTRAPOLATION=LINEAR\n100, 0\n200, 0.01\n", "EXTRAPOLATION=LINEAR", "CONSTANT"),
+                ("*PLASTIC, HARDENING=COMBINED\n100, 0\n200, 0.01\n", "*CYCLIC HARDENING alone"),
+                ("*PLASTIC, HARDENING=COMBINED\n100, 0\n200, 0.01\n300, 0.03\n*CYCLIC HARDENING\n100, 0\n", "two points"),
+                (combined + "1\n100, 1e4, 50\n*CYCLIC HARDENING\n110, 0\n200, 0.01\n", "110"),
+                ("*PLASTIC\n100, 0\n*CYCLIC HARDENING\n100, 0\n", "COMBINED"))):
+            with self.subTest(table):
+                deck = cube("2e5, 0.3", table)
+                done = self.import_deck(f"none{i}", deck + load, 2)
+                line = deck[:deck.index("*CYCLIC" if words == ["COMBINED"] else "*PLASTIC")].count("\n") + 1
+                self.assertSays(done.stderr, f"none{i}.inp:{line}: ", *words)
+        self.import_deck("constant", cube("2e5, 0.3", "*PLASTIC, EXTRAPOLATION=CONSTANT\n100, 0\n200, 0.01\n") + load)
+
+    def test_cyclic_hardening_next_to_back_stresses(self):
+        """Pulled and pressed: the yield stress grows by 1e4, the back stress by 2e4 of the plastic strain.
+
+        Of the table ccx 2.20 with NLGEOM makes 319.9 and -249.7 in 100 increments per step."""
+        pulled, pressed = 200 + 3e4 * 0.004, 2e4 * (0.004 - 0.003) - 200 - 1e4 * 0.007
+        steps = "".join(step(f"*BOUNDARY\nz1, 3, 3, {s / 2e5 + flow}\n") for s, flow in ((pulled, 0.004), (pressed, 0.001)))
+        for name, lines in (("constants", ", DATA TYPE=PARAMETERS\n200, 2e4, 0\n"), ("table", "\n200, 0\n400, 0.01\n")):
+            deck = cube("2e5, 0.3", f"*PLASTIC, HARDENING=COMBINED{lines}*CYCLIC HARDENING\n200, 0\n400, 0.02\n") + SYMMETRY + steps
+            rows = self.run_deck(name, deck, of_body("szz", "p"))
+            for row, s, p in zip(rows[1:], (pulled, pressed), (0.004, 0.007), strict=True):
+                self.expect_close(row["szz"], s, 1e-6)
+                self.expect_close(row["p"], p, 1e-6)
 
     def test_tables_end_and_depend_on_temperature(self):
         """After its last point a table is level, as in CalculiX; between temperatures stresses are interpolated."""
@@ -323,6 +456,10 @@ class PlasticExamplesOfCalculix(PlasticTest):
         for row, stress, p in zip(rows, (964, -964), (164, 3 * 164), strict=True):  # yields after 1600
             self.expect_close(row["p"], p / hardening, 1e-5)
             self.expect_close(row["uz5"], length * (stress / elastic + stress / 964 * 164 / hardening), 1e-5)
+        rows = self.run_example("beampik", of_body("p") + of_node(5, (0, 0, 8)))
+        for row, stress, p, flow in zip(rows, (964, -964), (164, 2 * 164), (164, 0), strict=True):  # both harden by 8000
+            self.expect_close(row["p"], p / 16000, 1e-5)
+            self.expect_close(row["uz5"], length * (stress / elastic + flow / 16000), 1e-5)
         pulled = 800 + (0.231 / length - 800 / elastic) * both
         pressed = pulled - 1600 - (0.409 / length - 1600 / elastic) * both
         for row, stress in zip(self.run_example("beampd", of_body("szz")), (pulled, pressed), strict=True):

@@ -56,9 +56,11 @@ struct Material {
   Place place;
   std::optional<Table> elastic, expansion, density, creep;
   std::optional<Table> plastic;
-  std::string hardening = "ISOTROPIC";  ///< of *PLASTIC
-  std::size_t back_stresses = 1;        ///< of HARDENING=COMBINED
-  std::optional<Table> potential;       ///< ratios of Hill's stress: R11, R22, R33, R12, R13, R23
+  std::string hardening = "ISOTROPIC";    ///< of *PLASTIC
+  std::size_t back_stresses = 1;          ///< of HARDENING=COMBINED
+  bool by_table = true;                   ///< *PLASTIC: stresses over plastic strains; else constants of back stresses
+  std::optional<Table> cyclic_hardening;  ///< yield stress over the plastic strain, next to back stresses
+  std::optional<Table> potential;         ///< ratios of Hill's stress: R11, R22, R33, R12, R13, R23
   Elasticity elasticity = Elasticity::isotropic;
   bool expands_along_axes = false;
   double expansion_zero = 0;

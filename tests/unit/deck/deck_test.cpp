@@ -159,10 +159,10 @@ TEST(Deck, PartsAndInstances) {
 
 TEST(Deck, WhatIsLeftOutAndWhatIsImpossible) {
   const Deck deck = read(square +
-                         "*CYCLIC HARDENING\n200, 0\n*ELEMENT, TYPE=S8R, ELSET=SHELL\n8, 1, 2, 3, 4, 1, 2, 3, 4\n"
+                         "*HYPERELASTIC\n200, 0\n*ELEMENT, TYPE=S8R, ELSET=SHELL\n8, 1, 2, 3, 4, 1, 2, 3, 4\n"
                          "*CONDUCTIVITY\n50\n*BOUNDRY\n1, 1\n*STEP\n*FREQUENCY\n10\n*END STEP\n");
   ASSERT_EQ(deck.impossible.size(), 4U);
-  EXPECT_EQ(deck.impossible[0].card, "CYCLIC HARDENING");
+  EXPECT_EQ(deck.impossible[0].card, "HYPERELASTIC");
   EXPECT_EQ(deck.impossible[0].place.line, 8U);
   EXPECT_TRUE(says(deck.impossible[1].consequence, {"S8R"}));
   EXPECT_TRUE(says(deck.impossible[2].consequence, {"unknown card", "'BOUNDARY'"}));
