@@ -14,7 +14,7 @@ namespace creepcontact::creep {
 namespace {
 
 constexpr int max_parts = 8;
-constexpr double share_of_flow = 0.4;  // of the tolerance in a step, as integrators have it for creep
+constexpr double share_of_flow = 0.05;  // of the tolerance in a step: errors of one way add up
 
 /// Creep strains between those of the last step and those of now.
 class CreepBetween {

@@ -11,7 +11,7 @@ namespace creepcontact::creep {
 namespace {
 
 constexpr double dependent = 1e-10;  // of the largest: directions that add nothing
-constexpr double far_off = 2;        // of the smallest residual so far
+constexpr double far_off = 10;       // of the smallest residual so far
 
 Eigen::Map<const Eigen::VectorXd> view(std::span<const double> values) {
   return {values.data(), static_cast<Index>(values.size())};

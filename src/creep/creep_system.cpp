@@ -88,7 +88,7 @@ void CreepSystem::begin_segment(double begin, double end) {
   segment_begin_ = begin;
   segment_end_ = end;
   yield_steps_.begin_segment();
-  if (history_.plastic.smooth_since != begin) history_.plastic.before.clear();  // not where a run is resumed
+  history_.plastic.before.clear();
   history_.plastic.smooth_since = begin;
 }
 
@@ -447,6 +447,7 @@ void CreepSystem::restore(const Memory& memory) {
 }
 
 void CreepSystem::resume(double t, std::span<const double> y, const Memory& memory) {
+  memory.restore("history.plastic", history_.plastic);  // begin_segment() has forgotten the step before
   yield_steps_.resume(memory, [&]() -> const Equilibrium& { return evaluate_step(t, y).equilibrium; });
 }
 

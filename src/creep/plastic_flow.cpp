@@ -176,20 +176,48 @@ std::string PlasticFlow::loads() const {
 }
 
 void PlasticFlow::require_limited_flow(const Body& body, std::size_t point, double change) const {
-  const double T = temperature(body, point);
-  const PlasticState& before = from_.bodies[body.number];
-  const double p = before.accumulated.empty() ? 0 : before.accumulated[point];
-  const double yield = body.law->yield_stress(p, T, constants(body, point)).stress;
-  if (3 * at_[body.number].elastic().at(point).mu * change <= max_flow * yield) return;
-  const mechanics::Body& of = assembly_.bodies()[body.number];
-  const Vector3& x = of.discretization().point_coordinates()[point];
+  if (change <= max_flow * elastic_strain_at_yield(body, point)) return;
   constexpr double without_limit = 1;
   const std::string flow =
       change > without_limit ? "without limit" : fmt::format("by a plastic strain of {:.3g} in one step", change);
-  throw SolverError(
-      fmt::format("{} cannot be carried: body '{}' flows {} at ({:.6g}, {:.6g}, {:.6g}), where the yield stress is "
-                  "{:.6g}",
-                  loads(), of.name(), flow, x.x(), x.y(), x.z(), yield));
+  throw SolverError(fmt::format("{} cannot be carried: body '{}' flows {} at {}", loads(),
+                                assembly_.bodies()[body.number].name(), flow, place(body, point)));
+}
+
+void PlasticFlow::give_up() const {
+  const Body* worst = nullptr;
+  std::size_t point = 0;
+  double most = -1;
+  for (const Body& body : bodies_)
+    for (std::size_t p = 0; p < body.accumulated.size(); ++p)
+      if (const double of_elastic = body.accumulated[p] / elastic_strain_at_yield(body, p); of_elastic > most)
+        most = of_elastic, worst = &body, point = p;
+  const double largest = assembly_.team().max(most);
+  together(assembly_.team(), [&] {
+    if (most != largest) return;
+    if (worst == nullptr) throw SolverError(fmt::format("{}: the plastic strain is not found", loads()));
+    throw SolverError(
+        fmt::format("{} cannot be carried, or hardly: body '{}' still flows after {} iterations, so far by a plastic "
+                    "strain of {:.3g} in one step at {}",
+                    loads(), assembly_.bodies()[worst->number].name(), max_passes, worst->accumulated[point],
+                    place(*worst, point)));
+  });
+}
+
+std::string PlasticFlow::place(const Body& body, std::size_t point) const {
+  const Vector3& x = assembly_.bodies()[body.number].discretization().point_coordinates()[point];
+  return fmt::format("({:.6g}, {:.6g}, {:.6g}), where the yield stress is {:.6g}", x.x(), x.y(), x.z(),
+                     yield_before(body, point));
+}
+
+double PlasticFlow::yield_before(const Body& body, std::size_t point) const {
+  const PlasticState& before = from_.bodies[body.number];
+  const double p = before.accumulated.empty() ? 0 : before.accumulated[point];
+  return body.law->yield_stress(p, temperature(body, point), constants(body, point)).stress;
+}
+
+double PlasticFlow::elastic_strain_at_yield(const Body& body, std::size_t point) const {
+  return yield_before(body, point) / (3 * at_[body.number].elastic().at(point).mu);
 }
 
 double PlasticFlow::root_of_energy(const Body& body, std::size_t point) const {
@@ -346,11 +374,7 @@ bool PlasticFlow::advance(Equilibrium& into) {
     finish(into);
     return true;
   }
-  if (++n_iterations_ == max_passes)
-    throw SolverError(
-        fmt::format("the plastic strain under {} is not found in {} iterations; its change is still {:.2g} of the "
-                    "stress: they may be near what the bodies can carry",
-                    loads(), max_passes, change / stress_norm(assembly_, into)));
+  if (++n_iterations_ == max_passes) give_up();
   std::vector<double> next(guess.size());
   mixing_.mix(guess, flow, next);
   scatter(next);

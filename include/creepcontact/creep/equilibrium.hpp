@@ -87,10 +87,10 @@ struct PathPoint {
 
 /// How the path of friction and of plastic flow is followed when a step is accepted.
 struct PathOptions {
-  /// Of tractions and slip per substep, relative to their largest values; of the stress by flow, relative to the yield
-  /// stress. Infinity: flow is not followed in parts.
+  /// Error of tractions and slip per substep, relative to their largest values, and of the stress by flow, relative to
+  /// the yield stress. Infinity: flow is not followed in parts.
   double tolerance = 1e-3;
-  double interval = 0;      ///< time between the breakpoints around the step; 0: the step is all of it
+  double interval = 0;  ///< time between the breakpoints around the step; 0: the step is all of it
 };
 
 /// Elastic equilibrium of all bodies in contact at one time. Owned by the caller of EquilibriumSolver::solve(), which

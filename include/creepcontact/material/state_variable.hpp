@@ -46,7 +46,7 @@ inline constexpr StateVariable creep_fatigue{
         "line; 0 where there are no fatigue data",
     .label = "creep-fatigue usage"};
 
-/// Of Plasticity, which is no creep law.
+/// What Plasticity gives; no creep law does.
 inline constexpr StateVariable plastic_strain{.name = "plastic_strain",
                                               .description = "plastic strain of `plasticity`, tensor components",
                                               .label = "plastic strain",

@@ -115,9 +115,9 @@ Tensor6 first_direction(const Tensor6& xi, const Tensor6& d, double yield) {
   const double on_surface = 2e-9 * yield * yield;
   if (c < -on_surface)
     part = (-b + std::sqrt(b * b - a * c)) / a;
-  else if (c <= on_surface && b < 0)
-    part = -2 * b / a;
-  const Tensor6 at = xi + part * d;
+  else if (b < 0)
+    part = (-b + std::sqrt(std::max(0.0, b * b - a * (c <= on_surface ? 0 : c)))) / a;
+  const Tensor6 at = xi + std::clamp(part, 0.0, 1.0) * d;
   return at / size_of(at);
 }
 
