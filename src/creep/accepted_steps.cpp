@@ -19,7 +19,8 @@ constexpr double share_of_flow = 0.05;  // of the tolerance in a step: errors of
 /// Creep strains between those of the last step and those of now.
 class CreepBetween {
  public:
-  CreepBetween(const PlasticHistory& from, EquilibriumSolver::CreepStrains to) : from_(from), to_(to) {}
+  CreepBetween(const Assembly& assembly, const PlasticHistory& from, EquilibriumSolver::CreepStrains to)
+      : assembly_(assembly), from_(from), to_(to) {}
 
   EquilibriumSolver::CreepStrains at(double part) {
     views_.assign(to_.begin(), to_.end());
@@ -27,16 +28,20 @@ class CreepBetween {
     values_.resize(to_.size());
     for (std::size_t b = 0; b < to_.size(); ++b) {
       if (to_[b].empty()) continue;
-      const std::vector<double>& before = from_.bodies[b].creep;
-      values_[b].resize(before.size());
-      for (std::size_t p = 0; 6 * p < before.size(); ++p)
-        tensor::writable(values_[b], p) = (1 - part) * tensor::view(before, p) + part * to_[b].at(p);
+      const std::vector<double>& before = from_.bodies[b].creep;  // empty: none yet
+      values_[b].resize(6 * assembly_.bodies()[b].discretization().n_points());
+      for (std::size_t p = 0; 6 * p < values_[b].size(); ++p) {
+        tensor::Map now = tensor::writable(values_[b], p);
+        now = part * to_[b].at(p);
+        if (!before.empty()) now += (1 - part) * tensor::view(before, p);
+      }
       views_[b] = {values_[b], 6};
     }
     return views_;
   }
 
  private:
+  const Assembly& assembly_;
   const PlasticHistory& from_;
   EquilibriumSolver::CreepStrains to_;
   std::vector<std::vector<double>> values_;
@@ -69,6 +74,7 @@ void EquilibriumSolver::keep_flow(const Equilibrium& at, CreepStrains creep, His
   flow.before = std::move(before);
   flow.error = error;
   for (std::size_t b = 0; b < creep.size(); ++b) {
+    if (assembly_.bodies()[b].material().plasticity) flow.bodies[b].stress = at.bodies[b].stress;
     std::vector<double>& kept = flow.bodies[b].creep;
     kept.assign(creep[b].empty() ? 0 : 6 * assembly_.bodies()[b].discretization().n_points(), 0.0);
     for (std::size_t p = 0; 6 * p < kept.size(); ++p) tensor::writable(kept, p) = creep[b].at(p);
@@ -108,7 +114,7 @@ std::vector<PathPoint> EquilibriumSolver::take(const Equilibrium& at, CreepStrai
 std::vector<PathLeg> EquilibriumSolver::in_parts(int n, const Equilibrium& at, CreepStrains creep, History& history,
                                                  const PathOptions& options) {
   const double begin = history.plastic.time;
-  CreepBetween course(history.plastic, creep);
+  CreepBetween course(assembly_, history.plastic, creep);
   History trial = history;
   std::vector<PathLeg> legs;
   Equilibrium end;
@@ -145,6 +151,7 @@ std::vector<PathLeg> EquilibriumSolver::accept(const Equilibrium& at, CreepStrai
     std::vector<PathLeg> path;
     History end;
     PlasticHistory coarse = at.plastic;
+    for (std::size_t b = 0; b < coarse.bodies.size(); ++b) coarse.bodies[b].stress = at.bodies[b].stress;
     for (int before = 1; n > before;) {
       History trial = history;
       std::vector<PathLeg> finer = in_parts(n, at, creep, trial, options);

@@ -65,7 +65,7 @@ std::vector<BodyConditions> between(const std::vector<BodyConditions>& from, con
       const std::vector<double>& before = from[b].*values;
       std::vector<double>& own = result[b].*values;
       own.resize(std::max(own.size(), before.size()));
-      for (std::size_t i = 0; i < own.size(); ++i) own[i] *= part;
+      for (double& value : own) value *= part;
       for (std::size_t i = 0; i < before.size(); ++i) own[i] += (1 - part) * before[i];
     }
   return result;
@@ -99,7 +99,7 @@ History EquilibriumSolver::initial_history(int substeps) {
   PlasticFlow flow(assembly_, history.plastic, 0, at.conditions, options_.plastic_tolerance);
   equilibrate(flow.strains(no_creep), history, history.contact, {}, at);
   if (flow.advance(at)) {
-    history.plastic = at.plastic;
+    settle(at, no_creep, history);
     return history;
   }
   history = new_history();

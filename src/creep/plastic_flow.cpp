@@ -74,7 +74,7 @@ PlasticFlow::PlasticFlow(const Assembly& assembly, const PlasticHistory& from, d
     } catch (const std::invalid_argument& error) {
       throw SolverError(fmt::format("material '{}': {}", of.material().name, error.what()));
     }
-    body.is_active.assign(n, 0);
+    body.n_points = n;
     // Flow goes on as in the last step, or stops.
     if (const std::vector<double>& rate = from.bodies[b].rate;
         goes_on && !rate.empty() && is_later(t, from.time) && is_later(from.time, from.smooth_since)) {
@@ -88,6 +88,7 @@ PlasticFlow::PlasticFlow(const Assembly& assembly, const PlasticHistory& from, d
 }
 
 void PlasticFlow::activate(Body& body, std::size_t point) {
+  body.is_active.resize(body.n_points);
   if (body.is_active[point] != 0) return;
   body.is_active[point] = 1;
   body.active.push_back(static_cast<std::int32_t>(point));
@@ -109,9 +110,9 @@ std::span<const mechanics::CreepStrainView> PlasticFlow::strains(std::span<const
     const std::vector<double>& before = from_.bodies[body.number].strain;
     if (before.empty() && body.guess.empty()) continue;
     const mechanics::CreepStrainView& own = creep[body.number];
-    body.strain.assign(6 * body.is_active.size(), 0.0);
-#pragma omp parallel for schedule(static) if (body.is_active.size() > numerics::parallel_points)
-    for (std::int64_t i = 0; i < signed_size(body.is_active.size()); ++i) {
+    body.strain.assign(6 * body.n_points, 0.0);
+#pragma omp parallel for schedule(static) if (body.n_points > numerics::parallel_points)
+    for (std::int64_t i = 0; i < signed_size(body.n_points); ++i) {
       const auto p = static_cast<std::size_t>(i);
       tensor::Map sum = tensor::writable(body.strain, p);
       if (!own.empty()) sum += own.at(p);
@@ -129,14 +130,34 @@ bool PlasticFlow::return_stress(const Equilibrium& at) {
   return assembly_.team().any(flows);
 }
 
+bool PlasticFlow::yields(const Body& body, std::size_t point, const std::vector<double>& stress) const {
+  const PlasticState& before = from_.bodies[body.number];
+  const std::size_t width = 6 * body.law->n_back();
+  const std::span<const double> own = constants(body, point);
+  const double yield = yield_before(body, point);
+  const tensor::ConstMap at = tensor::view(stress, point);
+  if (before.back.empty()) return tensor::squared_von_mises(at) > yield * yield;
+  const Tensor6 X = body.law->back_stress(std::span(before.back).subspan(point * width, width), own);
+  return tensor::squared_von_mises(Tensor6(at - X)) > yield * yield;
+}
+
 bool PlasticFlow::return_own_stress(const Equilibrium& at) {
   bool flows = false;
   for (Body& body : bodies_) {
     const PlasticState& before = from_.bodies[body.number];
     const std::vector<double>& stress = at.bodies[body.number].stress;
     const mechanics::ElasticState elastic = at_[body.number].elastic();
-    const std::size_t n = body.is_active.size(), width = 6 * body.law->n_back();
+    const std::size_t n = body.n_points, width = 6 * body.law->n_back();
     bool any = false;
+    if (body.guess.empty()) {
+#pragma omp parallel for schedule(static) reduction(|| : any) if (n > numerics::parallel_points)
+      for (std::int64_t i = 0; i < signed_size(n); ++i) any = any || yields(body, static_cast<std::size_t>(i), stress);
+      if (!any) {
+        body.flow.clear();
+        continue;
+      }
+      any = false;
+    }
     const auto flow_at = [&](std::size_t p, std::span<double> back) {
       Tensor6 trial = tensor::deviator(Tensor6(tensor::view(stress, p)));
       if (!body.guess.empty()) trial += 2 * elastic.at(p).mu * tensor::view(body.guess, p);
@@ -243,7 +264,7 @@ void PlasticFlow::scatter(std::span<const double> guess) {
   std::size_t next = 0;
   for (Body& body : bodies_) {
     if (body.active.empty()) continue;
-    body.guess.assign(6 * body.is_active.size(), 0.0);
+    body.guess.assign(6 * body.n_points, 0.0);
     for (const std::int32_t p : body.active) {
       const auto point = static_cast<std::size_t>(p);
       const double root = root_of_energy(body, point);
@@ -262,7 +283,7 @@ void PlasticFlow::finish(Equilibrium& into) const {
     const PlasticState& before = from_.bodies[body.number];
     PlasticState& after = into.plastic.bodies[body.number];
     std::vector<double>& stress = into.bodies[body.number].stress;
-    const std::size_t n = body.is_active.size(), width = 6 * body.law->n_back();
+    const std::size_t n = body.n_points, width = 6 * body.law->n_back();
     after.strain = before.strain;
     after.accumulated = before.accumulated;
     after.back = before.back;
@@ -285,7 +306,7 @@ void PlasticFlow::finish(Equilibrium& into) const {
         tensor::writable(stress, p) -= 2 * elastic.at(p).mu * rest;
       }
     }
-    after.stress = stress;
+    after.stress.clear();  // that of the equilibrium
   }
 }
 
@@ -295,7 +316,7 @@ double PlasticFlow::excursion(const Equilibrium& at) const {
   for (const Body& body : bodies_) {
     const PlasticState& before = from_.bodies[body.number];
     const std::size_t width = 6 * body.law->n_back();
-    for (std::size_t p = 0; p < body.is_active.size(); ++p) {
+    for (std::size_t p = 0; p < body.n_points; ++p) {
       const Tensor6 now = tensor::view(at.bodies[body.number].stress, p), then = tensor::view(before.stress, p);
       const material::PlasticPoint from = point_of(before, p, width);
       const double yield = body.law->yield_stress(from.accumulated, temperature(body, p), constants(body, p)).stress;
@@ -313,15 +334,16 @@ double PlasticFlow::redone_error(const Equilibrium& at) const {
   double largest = 0;
   for (const Body& body : bodies_) {
     const PlasticState &before = from_.bodies[body.number], &now = at.plastic.bodies[body.number];
+    const std::vector<double>& stress = at.bodies[body.number].stress;
     const mechanics::ElasticState elastic = at_[body.number].elastic();
     const std::size_t width = 6 * body.law->n_back();
     std::vector<double> back(width);
-    for (std::size_t p = 0; p < body.is_active.size() && !now.strain.empty(); ++p) {
+    for (std::size_t p = 0; p < body.n_points && !now.strain.empty(); ++p) {
       Tensor6 change = tensor::view(now.strain, p);
       if (!before.strain.empty()) change -= tensor::view(before.strain, p);
       if (change.isZero(0)) continue;
       const double mu = elastic.at(p).mu;
-      const Tensor6 trial = tensor::deviator(Tensor6(tensor::view(now.stress, p))) + 2 * mu * change;
+      const Tensor6 trial = tensor::deviator(Tensor6(tensor::view(stress, p))) + 2 * mu * change;
       const material::PlasticPoint from = point_of(before, p, width);
       const Tensor6 redone = body.law->flow(from, trial, mu, temperature(body, p), constants(body, p), back).strain;
       const double yield = body.law->yield_stress(now.accumulated[p], temperature(body, p), constants(body, p)).stress;
@@ -342,7 +364,7 @@ double PlasticFlow::difference(const PlasticHistory& a, const PlasticHistory& b)
   for (const Body& body : bodies_) {
     const PlasticState &of_a = a.bodies[body.number], &of_b = b.bodies[body.number];
     const mechanics::ElasticState elastic = at_[body.number].elastic();
-    for (std::size_t p = 0; p < body.is_active.size(); ++p) {
+    for (std::size_t p = 0; p < body.n_points; ++p) {
       const double accumulated = of_b.accumulated.empty() ? 0 : of_b.accumulated[p];
       const double yield = body.law->yield_stress(accumulated, temperature(body, p), constants(body, p)).stress;
       largest = std::max({largest, size(of_a.stress, of_b.stress, p) / yield,

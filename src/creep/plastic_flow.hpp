@@ -56,6 +56,7 @@ class PlasticFlow {
   struct Body {
     std::size_t number;
     const material::Plasticity* law;
+    std::size_t n_points = 0;
     std::vector<double> constants = {};         // of all points, or one set for all
     std::vector<double> guess = {}, flow = {};  // changes of the plastic strain, n_points x 6; empty: zero
     std::vector<double> accumulated = {};       // change of p, n_points
@@ -69,6 +70,7 @@ class PlasticFlow {
   /// Returns all points to the yield surface. @returns true if a point flows on any process
   bool return_stress(const Equilibrium& at);
   bool return_own_stress(const Equilibrium& at);
+  bool yields(const Body& body, std::size_t point, const std::vector<double>& stress) const;
   void activate(Body& body, std::size_t point);
   std::string loads() const;
   std::string place(const Body& body, std::size_t point) const;

@@ -40,19 +40,21 @@ void require_condensed_contact(const config::Config& config, const contact::Cond
 }
 
 /// Where contact depends on its path, the elastic response of the bodies is used without an iteration that would
-/// correct it; where something yields, plastic strains are iterated with solutions that must be better than they are.
+/// correct it. @throws ConfigError where something yields
 creep::SolverOptions with_multigrid(const config::Config& config, creep::SolverOptions options,
                                     const creep::Assembly& assembly, const Processes& processes) {
   constexpr double usual_error = 0.1;             // few cycles per solve, few solves per evaluation
   constexpr double part_of_time_tolerance = 0.1;  // tight enough not to add steps or errors
-  constexpr double part_of_plastic_tolerance = 0.1;
-  const bool yields = std::ranges::any_of(
-      assembly.bodies(), [](const mechanics::Body& body) { return body.material().plasticity != nullptr; });
+  for (const mechanics::Body& body : assembly.bodies())
+    if (body.material().plasticity != nullptr)
+      throw ConfigError(
+          fmt::format("{}: material '{}' has plasticity, whose strains are iterated with factors only, not with the "
+                      "multigrid; use linear_solver.method = \"direct\"",
+                      config.file.string(), body.material().name));
   const bool has_path = std::ranges::any_of(assembly.pairs(), [](const contact::Pair& pair) {
     return pair.coupling.has_friction() || pair.preload.has_value() || !pair.acts_always();
   });
   options.stress_tolerance = part_of_time_tolerance * config.time.tolerance;
-  if (yields) options.stress_tolerance = part_of_plastic_tolerance * options.plastic_tolerance;
   options.stiffness_solver = processes.multigrid(has_path ? options.stress_tolerance : usual_error);
   return options;
 }
