@@ -59,20 +59,19 @@ std::optional<double> EquilibriumSolver::return_error(const Equilibrium& at, con
   constexpr double of_pair = 0.5;  // each step is in two pairs
   if (!at.plastic.flows) return 0;
   if (history.plastic.before.empty()) return std::nullopt;
-  PlasticHistory before;
-  before.bodies = history.plastic.before;
-  const PlasticFlow flow(assembly_, before, at.time, at.conditions, options_.plastic_tolerance, false);
-  return of_pair * flow.redone_error(at);
+  const PlasticFlow flow(assembly_, history.plastic, at.time, at.conditions, options_.plastic_tolerance, false);
+  return of_pair * flow.redone_error(history.plastic.before, at);
 }
 
-void EquilibriumSolver::keep_flow(const Equilibrium& at, CreepStrains creep, History& history) const {
+void EquilibriumSolver::keep_flow(const Equilibrium& at, CreepStrains creep, std::optional<double> error,
+                                  History& history) const {
   PlasticHistory& flow = history.plastic;
   if (flow.bodies.empty()) return;
-  const double error = flow.error + return_error(at, history).value_or(0);
+  const double sum = flow.error + error.value_or(0);
   std::vector<PlasticState> before = std::move(flow.bodies);
   flow = at.plastic;
   flow.before = std::move(before);
-  flow.error = error;
+  flow.error = sum;
   for (std::size_t b = 0; b < creep.size(); ++b) {
     if (assembly_.bodies()[b].material().plasticity) flow.bodies[b].stress = at.bodies[b].stress;
     std::vector<double>& kept = flow.bodies[b].creep;
@@ -82,12 +81,12 @@ void EquilibriumSolver::keep_flow(const Equilibrium& at, CreepStrains creep, His
 }
 
 void EquilibriumSolver::settle(const Equilibrium& at, CreepStrains creep, History& history) const {
-  keep_flow(at, creep, history);
+  keep_flow(at, creep, 0, history);  // nothing flows
   history.plastic.before.clear();
 }
 
-std::vector<PathPoint> EquilibriumSolver::take(const Equilibrium& at, CreepStrains creep, History& history,
-                                               const PathOptions& options) {
+std::vector<PathPoint> EquilibriumSolver::take(const Equilibrium& at, CreepStrains creep, std::optional<double> error,
+                                               History& history, const PathOptions& options) {
   std::vector<PathPoint> path = friction_->follow(at, history, options);
   const contact::ContactState& contact = path.empty() ? at.contact : path.back().contact;
   std::vector<int> changed;
@@ -101,7 +100,7 @@ std::vector<PathPoint> EquilibriumSolver::take(const Equilibrium& at, CreepStrai
     row = next;
   }
   history.friction = path.empty() ? at.friction : path.back().friction;
-  keep_flow(at, creep, history);
+  keep_flow(at, creep, error, history);
   history.contact = contact;
   if (!iterates()) return path;
   std::vector<History::Accepted>& accepted = history.accepted;
@@ -111,71 +110,70 @@ std::vector<PathPoint> EquilibriumSolver::take(const Equilibrium& at, CreepStrai
   return path;
 }
 
-std::vector<PathLeg> EquilibriumSolver::in_parts(int n, const Equilibrium& at, CreepStrains creep, History& history,
-                                                 const PathOptions& options) {
-  const double begin = history.plastic.time;
-  CreepBetween course(assembly_, history.plastic, creep);
-  History trial = history;
-  std::vector<PathLeg> legs;
+EquilibriumSolver::FlowPath EquilibriumSolver::in_parts(int n, const Equilibrium& at, CreepStrains creep,
+                                                        const History& from, const PathOptions& options) {
+  const double begin = from.plastic.time;
+  CreepBetween course(assembly_, from.plastic, creep);
+  FlowPath path{{}, from};
   Equilibrium end;
   try {
     for (int i = 1; i <= n; ++i) {
-      const double part = static_cast<double>(i) / n, t = i == n ? at.time : begin + part * (at.time - begin);
-      const CreepStrains now = course.at(i == n ? 1 : part);
-      solve(t, now, trial, end);
-      legs.push_back({trial, t, {}});
-      legs.back().before.plastic.before.clear();
-      legs.back().points = take(end, now, trial, options);
+      const double part = static_cast<double>(i) / n, t = part == 1 ? at.time : begin + part * (at.time - begin);
+      const CreepStrains now = course.at(part);
+      solve(t, now, path.end, end);
+      PathLeg& leg = path.legs.emplace_back(PathLeg{path.end, t, {}});
+      leg.before.plastic.before.clear();
+      leg.points = take(end, now, return_error(end, path.end), path.end, options);
     }
   } catch (const SolverError&) {
     return {};
   }
-  history = std::move(trial);
-  return legs;
+  return path;
+}
+
+EquilibriumSolver::FlowPath EquilibriumSolver::follow_flow(const Equilibrium& at, CreepStrains creep,
+                                                           std::optional<double> error, const History& from,
+                                                           const PathOptions& options) {
+  const double allowed = share_of_flow * options.tolerance;
+  const auto enough = [&](double left, int of) {
+    return static_cast<int>(std::min<double>(max_parts, std::ceil(of * std::sqrt(left / allowed))));
+  };
+  int n = error ? enough(*error, 1) : std::isfinite(allowed) ? 2 : 1;
+  if (n <= 1) return {};
+  FlowPath path;
+  PlasticHistory coarse = at.plastic;
+  for (std::size_t b = 0; b < coarse.bodies.size(); ++b) coarse.bodies[b].stress = at.bodies[b].stress;
+  const PlasticFlow flow(assembly_, from.plastic, at.time, at.conditions, options_.plastic_tolerance, false);
+  for (int before = 1; n > before;) {
+    FlowPath finer = in_parts(n, at, creep, from, options);
+    if (finer.legs.empty()) break;
+    path = std::move(finer);
+    // The return is of second order: the difference that the finer path makes tells what it leaves.
+    const double ratio = static_cast<double>(n) / before;
+    const double left = flow.difference(coarse, path.end.plastic) / (ratio * ratio - 1);
+    coarse = path.end.plastic;
+    before = std::exchange(n, left > allowed ? std::max(enough(left, n), std::min(2 * n, max_parts)) : n);
+  }
+  return path;
 }
 
 std::vector<PathLeg> EquilibriumSolver::accept(const Equilibrium& at, CreepStrains creep, History& history,
                                                const PathOptions& options) {
-  if (!at.plastic.flows) {
-    if (history.friction.slip.size() == 0) {
-      take(at, creep, history, options);
-      return {};
-    }
-  } else if (at.time > history.plastic.time) {
-    const double allowed = share_of_flow * options.tolerance;
-    const auto enough = [&](double error, int of) {
-      return static_cast<int>(std::min<double>(max_parts, std::ceil(of * std::sqrt(error / allowed))));
-    };
-    const std::optional<double> error = return_error(at, history);
-    int n = error ? enough(*error, 1) : std::isfinite(allowed) ? 2 : 1;
-    std::vector<PathLeg> path;
-    History end;
-    PlasticHistory coarse = at.plastic;
-    for (std::size_t b = 0; b < coarse.bodies.size(); ++b) coarse.bodies[b].stress = at.bodies[b].stress;
-    for (int before = 1; n > before;) {
-      History trial = history;
-      std::vector<PathLeg> finer = in_parts(n, at, creep, trial, options);
-      if (finer.empty()) break;
-      path = std::move(finer);
-      end = std::move(trial);
-      // Of second order: what is left of the error, from the difference that the finer path makes.
-      const double ratio = static_cast<double>(n) / before;
-      const double left =
-          PlasticFlow(assembly_, history.plastic, at.time, at.conditions, options_.plastic_tolerance, false)
-              .difference(coarse, end.plastic) /
-          (ratio * ratio - 1);
-      coarse = end.plastic;
-      before = std::exchange(n, left > allowed ? std::max(enough(left, n), std::min(2 * n, max_parts)) : n);
-    }
-    if (!path.empty()) {
-      history = std::move(end);
-      return path;
-    }
+  if (!at.plastic.flows && history.friction.slip.size() == 0) {
+    take(at, creep, 0, history, options);
+    return {};
   }
-  History before = history;
-  before.plastic.before.clear();
-  std::vector<PathPoint> points = take(at, creep, history, options);
-  return {{std::move(before), at.time, std::move(points)}};
+  const std::optional<double> error = return_error(at, history);
+  if (at.plastic.flows && at.time > history.plastic.time)
+    if (FlowPath path = follow_flow(at, creep, error, history, options); !path.legs.empty()) {
+      history = std::move(path.end);
+      return std::move(path.legs);
+    }
+  std::vector<PathLeg> whole;
+  PathLeg& leg = whole.emplace_back(PathLeg{history, at.time, {}});
+  leg.before.plastic.before.clear();
+  leg.points = take(at, creep, error, history, options);
+  return whole;
 }
 
 }  // namespace creepcontact::creep

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "plastic_points.hpp"
+
 namespace creepcontact::creep {
 
 BodyLaws::BodyLaws(const Assembly& assembly, std::vector<double> min_strain)
@@ -34,17 +36,12 @@ std::vector<double> plastic_values(const material::StateVariable& variable, cons
   values.resize(n * static_cast<std::size_t>(variable.width()));
   const bool is_yield_stress = &variable == &material::yield_stress;
   if (!is_yield_stress && &variable != &material::back_stress) return values;
-  const material::Plasticity& law = *body.material().plasticity;
-  const std::size_t width = 6 * law.n_back();
-  std::vector<double> constants(law.n_constants());
-  for (std::size_t p = 0; p < n; ++p) {
-    const double T = at.temperature.empty() ? body.material().reference_temperature : at.temperature[p];
-    law.evaluate(T, constants);
+  const PlasticPoints points(body, at);
+  for (std::size_t p = 0; p < n; ++p)
     if (is_yield_stress)
-      values[p] = law.yield_stress(state.accumulated.empty() ? 0 : state.accumulated[p], T, constants).stress;
-    else if (!state.back.empty())
-      tensor::writable(values, p) = law.back_stress(std::span(state.back).subspan(p * width, width), constants);
-  }
+      values[p] = points.yield_stress(p, state.accumulated);
+    else
+      tensor::writable(values, p) = points.back_stress(p, state.back);
   return values;
 }
 

@@ -10,6 +10,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/numerics/long_vectors.hpp"
 #include "flow_vector.hpp"
+#include "vector_views.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -56,13 +57,9 @@ bool jumps(const Team& team, const Equilibrium& from, const History& to, double 
   };
   if (differ(from.contact.multiplier, to.contact.multiplier)) return true;
   bool any = false;
-  for (std::size_t b = 0; b < to.plastic.bodies.size(); ++b) {
-    const std::vector<double>&first = from.bodies[b].stress, &last = to.plastic.bodies[b].stress;
-    const auto view = [&](const std::vector<double>& of) {
-      return Eigen::Map<const Eigen::ArrayXd>(of.data(), std::ssize(last));
-    };
-    any = any || differ(view(first).matrix(), view(last).matrix());
-  }
+  for (std::size_t b = 0; b < to.plastic.bodies.size(); ++b)
+    if (const std::vector<double>& stress = to.plastic.bodies[b].stress; !stress.empty())
+      any = any || differ(vector(from.bodies[b].stress), vector(stress));
   return team.any(any);
 }
 
@@ -372,7 +369,7 @@ double CreepSystem::longest_step(double t, std::span<const double> y) {
 }
 
 void CreepSystem::pass_breakpoint(double t, std::span<const double> y) {
-  const History before = history_;
+  const History before = has_yielding() ? history_ : History();
   if (solver_.has_preload_due(t, history_)) {
     forget_evaluations();
     step_.y.assign(y.begin(), y.end());

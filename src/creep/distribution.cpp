@@ -127,11 +127,9 @@ std::vector<double> Distribution::own_states(std::span<const double> whole) cons
   if (size == 0 || whole.size() % size != 0) throw std::invalid_argument("not a whole number of states");
   for (std::size_t v = 0; v < whole.size() / size; ++v)
     for (std::size_t b = 0; b < whole_.bodies().size(); ++b) {
-      const std::size_t stride = whole_layout_.stride(b);
-      if (stride == 0) continue;
-      const auto of_body = whole_layout_.part(b, whole.subspan(v * size, size));
-      for (const std::size_t p : own_points_[b])
-        result.insert(result.end(), of_body.begin() + p * stride, of_body.begin() + (p + 1) * stride);
+      if (whole_layout_.stride(b) == 0) continue;
+      const std::vector<double> of_body = own_points(b, whole_layout_.part(b, whole.subspan(v * size, size)));
+      result.insert(result.end(), of_body.begin(), of_body.end());
     }
   return result;
 }

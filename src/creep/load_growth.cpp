@@ -2,6 +2,7 @@
 /// the first ones, and those that jump.
 
 #include <algorithm>
+#include <array>
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/creep/elastic_survey.hpp"
@@ -14,6 +15,9 @@ namespace creepcontact::creep {
 namespace {
 
 using mechanics::BodyConditions;
+
+constexpr std::array growing{&BodyConditions::external, &BodyConditions::prescribed, &BodyConditions::known,
+                             &BodyConditions::thermal_strain, &BodyConditions::thermal_tensors};
 
 /// Calls apply(part) with growing parts of the loads, the last one 1. What apply() cannot carry is tried in half the
 /// step, six times at most. @param longest  part that is added at a time
@@ -60,8 +64,7 @@ std::vector<BodyConditions> between(const std::vector<BodyConditions>& from, con
                                     double part) {
   std::vector<BodyConditions> result = to;
   for (std::size_t b = 0; b < to.size(); ++b)
-    for (const auto values : {&BodyConditions::external, &BodyConditions::prescribed, &BodyConditions::known,
-                              &BodyConditions::thermal_strain, &BodyConditions::thermal_tensors}) {
+    for (const auto values : growing) {
       const std::vector<double>& before = from[b].*values;
       std::vector<double>& own = result[b].*values;
       own.resize(std::max(own.size(), before.size()));
@@ -73,9 +76,7 @@ std::vector<BodyConditions> between(const std::vector<BodyConditions>& from, con
 
 std::vector<BodyConditions> without_loads(std::vector<BodyConditions> at) {
   for (BodyConditions& body : at)
-    for (const auto values : {&BodyConditions::external, &BodyConditions::prescribed, &BodyConditions::known,
-                              &BodyConditions::thermal_strain, &BodyConditions::thermal_tensors})
-      (body.*values).clear();
+    for (const auto values : growing) (body.*values).clear();
   return at;
 }
 
@@ -140,16 +141,22 @@ History EquilibriumSolver::initial_elastic_history(int substeps) {
       solve_contact(with_interference, trial.contact, at);
       return at;
     };
-    if (preloads.empty())
-      solve(history);
-    else
-      find_interference(preloads, part, history, solve);
-    if (has_friction) history.friction = slip_until(at, history);
-    history.contact = at.contact;
+    take_part(part, preloads, solve, at, history);
   });
   begin_path(history);
   history.preloaded_until = 0;
   return history;
+}
+
+void EquilibriumSolver::take_part(double part, const std::vector<std::size_t>& preloads,
+                                  const std::function<const Equilibrium&(const History&)>& solve, const Equilibrium& at,
+                                  History& history) {
+  if (preloads.empty())
+    solve(history);
+  else
+    find_interference(preloads, part, history, solve);
+  if (history.friction.slip.size() > 0) history.friction = slip_until(at, history);
+  history.contact = at.contact;
 }
 
 void EquilibriumSolver::grow(const std::vector<BodyConditions>& from, double begin, const Eigen::VectorXd& gaps,
@@ -157,7 +164,6 @@ void EquilibriumSolver::grow(const std::vector<BodyConditions>& from, double beg
                              CreepStrains creep, History& history) {
   const std::vector<BodyConditions> full = at.conditions;
   const double end = at.time;
-  const bool has_friction = history.friction.slip.size() > 0;
   load_in_parts(1.0 / substeps, [&](double part) {
     at.time = part == 1 ? end : begin + part * (end - begin);  // for rates
     at.conditions = between(from, full, part);
@@ -165,13 +171,8 @@ void EquilibriumSolver::grow(const std::vector<BodyConditions>& from, double beg
       equilibrate_yielding(creep, trial, {part, gaps}, at);
       return at;
     };
-    if (preloads.empty())
-      solve(history);
-    else
-      find_interference(preloads, part, history, solve);
-    if (has_friction) history.friction = slip_until(at, history);
-    history.contact = at.contact;
-    keep_flow(at, creep, history);
+    take_part(part, preloads, solve, at, history);
+    keep_flow(at, creep, return_error(at, history), history);
   });
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/numerics/parallel.hpp"
@@ -21,12 +20,6 @@ constexpr double max_flow = 100;            // elastic strains at yield, in one 
 
 std::int64_t signed_size(std::size_t n) {
   return static_cast<std::int64_t>(n);
-}
-
-/// What a point has from its accepted past. @param width  of its back stresses: 6 n_back
-material::PlasticPoint point_of(const PlasticState& of, std::size_t point, std::size_t width) {
-  return {tensor::deviator(Tensor6(tensor::view(of.stress, point))), of.accumulated.empty() ? 0 : of.accumulated[point],
-          of.back.empty() ? std::span<const double>() : std::span(of.back).subspan(point * width, width)};
 }
 
 /// False where the times differ by the rounding with which both sides of a jump are told apart.
@@ -58,29 +51,14 @@ PlasticFlow::PlasticFlow(const Assembly& assembly, const PlasticHistory& from, d
       part_(part),
       mixing_(mixing_depth, assembly.team()) {
   for (std::size_t b = 0; b < assembly.bodies().size(); ++b) {
-    const mechanics::Body& of = assembly.bodies()[b];
-    const material::Plasticity* law = of.material().plasticity.get();
-    if (law == nullptr) continue;
-    const std::size_t n = of.discretization().n_points();
-    Body body{.number = b, .law = law};
-    const bool varies = law->depends_on_temperature() && !at[b].temperature.empty();
-    const std::size_t n_sets = varies ? n : 1, width = law->n_constants();
-    body.constants.resize(n_sets * width);
-    try {
-      for (std::size_t i = 0; i < n_sets; ++i) {
-        const double T = at[b].temperature.empty() ? of.material().reference_temperature : at[b].temperature[i];
-        law->evaluate(T, std::span(body.constants).subspan(i * width, width));
-      }
-    } catch (const std::invalid_argument& error) {
-      throw SolverError(fmt::format("material '{}': {}", of.material().name, error.what()));
-    }
-    body.n_points = n;
+    if (assembly.bodies()[b].material().plasticity == nullptr) continue;
+    Body body{.number = b, .points = PlasticPoints(assembly.bodies()[b], at[b])};
     // Flow goes on as in the last step, or stops.
     if (const std::vector<double>& rate = from.bodies[b].rate;
         goes_on && !rate.empty() && is_later(t, from.time) && is_later(from.time, from.smooth_since)) {
       body.guess.resize(rate.size());
       for (std::size_t i = 0; i < rate.size(); ++i) body.guess[i] = (t - from.time) * rate[i];
-      for (std::size_t p = 0; p < n; ++p)
+      for (std::size_t p = 0; p < body.points.size(); ++p)
         if (!tensor::view(rate, p).isZero(0)) activate(body, p);
     }
     bodies_.push_back(std::move(body));
@@ -88,20 +66,10 @@ PlasticFlow::PlasticFlow(const Assembly& assembly, const PlasticHistory& from, d
 }
 
 void PlasticFlow::activate(Body& body, std::size_t point) {
-  body.is_active.resize(body.n_points);
+  body.is_active.resize(body.points.size());
   if (body.is_active[point] != 0) return;
   body.is_active[point] = 1;
   body.active.push_back(static_cast<std::int32_t>(point));
-}
-
-std::span<const double> PlasticFlow::constants(const Body& body, std::size_t point) const {
-  const std::size_t width = body.law->n_constants();
-  return std::span(body.constants).subspan(body.constants.size() == width ? 0 : point * width, width);
-}
-
-double PlasticFlow::temperature(const Body& body, std::size_t point) const {
-  const std::vector<double>& given = at_[body.number].temperature;
-  return given.empty() ? assembly_.bodies()[body.number].material().reference_temperature : given[point];
 }
 
 std::span<const mechanics::CreepStrainView> PlasticFlow::strains(std::span<const mechanics::CreepStrainView> creep) {
@@ -110,9 +78,9 @@ std::span<const mechanics::CreepStrainView> PlasticFlow::strains(std::span<const
     const std::vector<double>& before = from_.bodies[body.number].strain;
     if (before.empty() && body.guess.empty()) continue;
     const mechanics::CreepStrainView& own = creep[body.number];
-    body.strain.assign(6 * body.n_points, 0.0);
-#pragma omp parallel for schedule(static) if (body.n_points > numerics::parallel_points)
-    for (std::int64_t i = 0; i < signed_size(body.n_points); ++i) {
+    body.strain.assign(6 * body.points.size(), 0.0);
+#pragma omp parallel for schedule(static) if (body.points.size() > numerics::parallel_points)
+    for (std::int64_t i = 0; i < signed_size(body.points.size()); ++i) {
       const auto p = static_cast<std::size_t>(i);
       tensor::Map sum = tensor::writable(body.strain, p);
       if (!own.empty()) sum += own.at(p);
@@ -130,15 +98,12 @@ bool PlasticFlow::return_stress(const Equilibrium& at) {
   return assembly_.team().any(flows);
 }
 
-bool PlasticFlow::yields(const Body& body, std::size_t point, const std::vector<double>& stress) const {
-  const PlasticState& before = from_.bodies[body.number];
-  const std::size_t width = 6 * body.law->n_back();
-  const std::span<const double> own = constants(body, point);
-  const double yield = yield_before(body, point);
+bool PlasticFlow::yields(const Body& body, std::size_t point, const std::vector<double>& stress, double margin) const {
+  const std::vector<double>& back = from_.bodies[body.number].back;
+  const double yield = (1 + margin) * yield_before(body, point);
   const tensor::ConstMap at = tensor::view(stress, point);
-  if (before.back.empty()) return tensor::squared_von_mises(at) > yield * yield;
-  const Tensor6 X = body.law->back_stress(std::span(before.back).subspan(point * width, width), own);
-  return tensor::squared_von_mises(Tensor6(at - X)) > yield * yield;
+  if (back.empty()) return tensor::squared_von_mises(at) > yield * yield;
+  return tensor::squared_von_mises(Tensor6(at - body.points.back_stress(point, back))) > yield * yield;
 }
 
 bool PlasticFlow::return_own_stress(const Equilibrium& at) {
@@ -146,8 +111,7 @@ bool PlasticFlow::return_own_stress(const Equilibrium& at) {
   for (Body& body : bodies_) {
     const PlasticState& before = from_.bodies[body.number];
     const std::vector<double>& stress = at.bodies[body.number].stress;
-    const mechanics::ElasticState elastic = at_[body.number].elastic();
-    const std::size_t n = body.n_points, width = 6 * body.law->n_back();
+    const std::size_t n = body.points.size(), width = body.points.back_width();
     bool any = false;
     if (body.guess.empty()) {
 #pragma omp parallel for schedule(static) reduction(|| : any) if (n > numerics::parallel_points)
@@ -160,9 +124,8 @@ bool PlasticFlow::return_own_stress(const Equilibrium& at) {
     }
     const auto flow_at = [&](std::size_t p, std::span<double> back) {
       Tensor6 trial = tensor::deviator(Tensor6(tensor::view(stress, p)));
-      if (!body.guess.empty()) trial += 2 * elastic.at(p).mu * tensor::view(body.guess, p);
-      const material::PlasticPoint from = point_of(before, p, width);
-      return body.law->flow(from, trial, elastic.at(p).mu, temperature(body, p), constants(body, p), back);
+      if (!body.guess.empty()) trial += 2 * body.points.shear_modulus(p) * tensor::view(body.guess, p);
+      return body.points.flow(p, before, trial, back);
     };
     std::vector<material::PlasticFlowStep> found(n);
     std::vector<double> back(n * width);
@@ -232,18 +195,16 @@ std::string PlasticFlow::place(const Body& body, std::size_t point) const {
 }
 
 double PlasticFlow::yield_before(const Body& body, std::size_t point) const {
-  const PlasticState& before = from_.bodies[body.number];
-  const double p = before.accumulated.empty() ? 0 : before.accumulated[point];
-  return body.law->yield_stress(p, temperature(body, point), constants(body, point)).stress;
+  return body.points.yield_stress(point, from_.bodies[body.number].accumulated);
 }
 
 double PlasticFlow::elastic_strain_at_yield(const Body& body, std::size_t point) const {
-  return yield_before(body, point) / (3 * at_[body.number].elastic().at(point).mu);
+  return yield_before(body, point) / (3 * body.points.shear_modulus(point));
 }
 
 double PlasticFlow::root_of_energy(const Body& body, std::size_t point) const {
   const mechanics::Discretization& discretization = assembly_.bodies()[body.number].discretization();
-  return std::sqrt(2 * at_[body.number].elastic().at(point).mu * discretization.weights()[point]);
+  return std::sqrt(2 * body.points.shear_modulus(point) * discretization.weights()[point]);
 }
 
 void PlasticFlow::gather(std::vector<double>& guess, std::vector<double>& flow) const {
@@ -264,7 +225,7 @@ void PlasticFlow::scatter(std::span<const double> guess) {
   std::size_t next = 0;
   for (Body& body : bodies_) {
     if (body.active.empty()) continue;
-    body.guess.assign(6 * body.n_points, 0.0);
+    body.guess.assign(6 * body.points.size(), 0.0);
     for (const std::int32_t p : body.active) {
       const auto point = static_cast<std::size_t>(p);
       const double root = root_of_energy(body, point);
@@ -283,7 +244,7 @@ void PlasticFlow::finish(Equilibrium& into) const {
     const PlasticState& before = from_.bodies[body.number];
     PlasticState& after = into.plastic.bodies[body.number];
     std::vector<double>& stress = into.bodies[body.number].stress;
-    const std::size_t n = body.n_points, width = 6 * body.law->n_back();
+    const std::size_t n = body.points.size(), width = body.points.back_width();
     after.strain = before.strain;
     after.accumulated = before.accumulated;
     after.back = before.back;
@@ -293,7 +254,6 @@ void PlasticFlow::finish(Equilibrium& into) const {
       after.accumulated.resize(n);
       after.back.resize(n * width);
       if (is_later(time_, from_.time)) after.rate.assign(6 * n, 0.0);
-      const mechanics::ElasticState elastic = at_[body.number].elastic();
       for (const std::int32_t active : body.active) {
         const auto p = static_cast<std::size_t>(active);
         const tensor::ConstMap change = tensor::view(body.flow, p);
@@ -303,7 +263,7 @@ void PlasticFlow::finish(Equilibrium& into) const {
         if (!after.rate.empty()) tensor::writable(after.rate, p) = change / (time_ - from_.time);
         Tensor6 rest = change;
         if (!body.guess.empty()) rest -= tensor::view(body.guess, p);
-        tensor::writable(stress, p) -= 2 * elastic.at(p).mu * rest;
+        tensor::writable(stress, p) -= 2 * body.points.shear_modulus(p) * rest;
       }
     }
     after.stress.clear();  // that of the equilibrium
@@ -312,41 +272,34 @@ void PlasticFlow::finish(Equilibrium& into) const {
 
 double PlasticFlow::excursion(const Equilibrium& at) const {
   double largest = 0;
-  bool yields = false;
+  bool leaves = false;
   for (const Body& body : bodies_) {
-    const PlasticState& before = from_.bodies[body.number];
-    const std::size_t width = 6 * body.law->n_back();
-    for (std::size_t p = 0; p < body.n_points; ++p) {
-      const Tensor6 now = tensor::view(at.bodies[body.number].stress, p), then = tensor::view(before.stress, p);
-      const material::PlasticPoint from = point_of(before, p, width);
-      const double yield = body.law->yield_stress(from.accumulated, temperature(body, p), constants(body, p)).stress;
-      largest = std::max(largest, tensor::von_mises(Tensor6(now - then)) / yield);
-      yields = yields || tensor::von_mises(Tensor6(now - body.law->back_stress(from.back, constants(body, p)))) >
-                             (1 + yield_rounding) * yield;
+    const std::vector<double>&now = at.bodies[body.number].stress, &then = from_.bodies[body.number].stress;
+    for (std::size_t p = 0; p < body.points.size(); ++p) {
+      const Tensor6 change = tensor::view(now, p) - tensor::view(then, p);
+      largest = std::max(largest, tensor::von_mises(change) / yield_before(body, p));
+      leaves = leaves || yields(body, p, now, yield_rounding);
     }
   }
   largest = assembly_.team().max(largest);
-  return assembly_.team().any(yields) ? largest : 0;
+  return assembly_.team().any(leaves) ? largest : 0;
 }
 
-double PlasticFlow::redone_error(const Equilibrium& at) const {
+double PlasticFlow::redone_error(const std::vector<PlasticState>& before, const Equilibrium& at) const {
   constexpr double of_difference = 1.0 / 3;  // a double step of second order is off by four times two steps
   double largest = 0;
   for (const Body& body : bodies_) {
-    const PlasticState &before = from_.bodies[body.number], &now = at.plastic.bodies[body.number];
+    const PlasticState &from = before[body.number], &now = at.plastic.bodies[body.number];
     const std::vector<double>& stress = at.bodies[body.number].stress;
-    const mechanics::ElasticState elastic = at_[body.number].elastic();
-    const std::size_t width = 6 * body.law->n_back();
-    std::vector<double> back(width);
-    for (std::size_t p = 0; p < body.n_points && !now.strain.empty(); ++p) {
+    std::vector<double> back(body.points.back_width());
+    for (std::size_t p = 0; p < body.points.size() && !now.strain.empty(); ++p) {
       Tensor6 change = tensor::view(now.strain, p);
-      if (!before.strain.empty()) change -= tensor::view(before.strain, p);
+      if (!from.strain.empty()) change -= tensor::view(from.strain, p);
       if (change.isZero(0)) continue;
-      const double mu = elastic.at(p).mu;
+      const double mu = body.points.shear_modulus(p);
       const Tensor6 trial = tensor::deviator(Tensor6(tensor::view(stress, p))) + 2 * mu * change;
-      const material::PlasticPoint from = point_of(before, p, width);
-      const Tensor6 redone = body.law->flow(from, trial, mu, temperature(body, p), constants(body, p), back).strain;
-      const double yield = body.law->yield_stress(now.accumulated[p], temperature(body, p), constants(body, p)).stress;
+      const Tensor6 redone = body.points.flow(p, from, trial, back).strain;
+      const double yield = body.points.yield_stress(p, now.accumulated);
       largest = std::max(largest, of_difference * tensor::von_mises(Tensor6(2 * mu * (redone - change))) / yield);
     }
   }
@@ -363,12 +316,10 @@ double PlasticFlow::difference(const PlasticHistory& a, const PlasticHistory& b)
   };
   for (const Body& body : bodies_) {
     const PlasticState &of_a = a.bodies[body.number], &of_b = b.bodies[body.number];
-    const mechanics::ElasticState elastic = at_[body.number].elastic();
-    for (std::size_t p = 0; p < body.n_points; ++p) {
-      const double accumulated = of_b.accumulated.empty() ? 0 : of_b.accumulated[p];
-      const double yield = body.law->yield_stress(accumulated, temperature(body, p), constants(body, p)).stress;
+    for (std::size_t p = 0; p < body.points.size(); ++p) {
+      const double yield = body.points.yield_stress(p, of_b.accumulated);
       largest = std::max({largest, size(of_a.stress, of_b.stress, p) / yield,
-                          2 * elastic.at(p).mu * size(of_a.strain, of_b.strain, p) / yield});
+                          2 * body.points.shear_modulus(p) * size(of_a.strain, of_b.strain, p) / yield});
     }
   }
   return assembly_.team().max(largest);

@@ -10,6 +10,7 @@
 #include "anderson_mixing.hpp"
 #include "creepcontact/creep/assembly.hpp"
 #include "creepcontact/creep/equilibrium.hpp"
+#include "plastic_points.hpp"
 
 namespace creepcontact::creep {
 
@@ -46,8 +47,8 @@ class PlasticFlow {
   double excursion(const Equilibrium& at) const;
   /// An estimate of the error that the return has made in the last two steps, from the same way in one step: of the
   /// equivalent stress, largest of all points, relative to the yield stress.
-  /// @param at  the end of the second step, whose history before both is that of this object
-  double redone_error(const Equilibrium& at) const;
+  /// @param before  the history before both @param at  the end of the second step
+  double redone_error(const std::vector<PlasticState>& before, const Equilibrium& at) const;
   /// The largest difference of two states at the end, of the equivalent stress or of the elastic stress of the plastic
   /// strain, relative to the yield stress.
   double difference(const PlasticHistory& a, const PlasticHistory& b) const;
@@ -55,9 +56,7 @@ class PlasticFlow {
  private:
   struct Body {
     std::size_t number;
-    const material::Plasticity* law;
-    std::size_t n_points = 0;
-    std::vector<double> constants = {};         // of all points, or one set for all
+    PlasticPoints points;
     std::vector<double> guess = {}, flow = {};  // changes of the plastic strain, n_points x 6; empty: zero
     std::vector<double> accumulated = {};       // change of p, n_points
     std::vector<double> back = {};              // alpha_i at the end
@@ -65,12 +64,11 @@ class PlasticFlow {
     std::vector<std::int32_t> active = {};      // points that have or had a change, in the order in which they came
     std::vector<char> is_active = {};           // per point
   };
-  std::span<const double> constants(const Body& body, std::size_t point) const;
-  double temperature(const Body& body, std::size_t point) const;
   /// Returns all points to the yield surface. @returns true if a point flows on any process
   bool return_stress(const Equilibrium& at);
   bool return_own_stress(const Equilibrium& at);
-  bool yields(const Body& body, std::size_t point, const std::vector<double>& stress) const;
+  /// True if a stress is outside the yield surface of the last accepted step by more than a margin.
+  bool yields(const Body& body, std::size_t point, const std::vector<double>& stress, double margin = 0) const;
   void activate(Body& body, std::size_t point);
   std::string loads() const;
   std::string place(const Body& body, std::size_t point) const;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plastic_points.hpp"
+
 namespace creepcontact::creep {
 namespace {
 
@@ -16,22 +18,15 @@ PlasticTangent::PlasticTangent(const Assembly& assembly, const Equilibrium& at) 
     const PlasticState& state = at.plastic.bodies[b];
     const mechanics::Body& body = assembly.bodies()[b];
     if (state.rate.empty()) continue;
-    const material::Plasticity& law = *body.material().plasticity;
-    const mechanics::ElasticState elastic = at.conditions[b].elastic();
-    const std::size_t width = 6 * law.n_back();
-    std::vector<double> constants(law.n_constants());
+    const PlasticPoints points(body, at.conditions[b]);
     for (std::size_t p = 0; 6 * p < state.rate.size(); ++p) {
       const double rate = tensor::view(state.rate, p).norm();
       if (!(rate > 0)) continue;
-      const double T = at.conditions[b].temperature.empty() ? body.material().reference_temperature
-                                                            : at.conditions[b].temperature[p];
-      law.evaluate(T, constants);
       const Tensor6 direction = std::sqrt(1.5) / rate * tensor::view(state.rate, p);
-      const std::span<const double> back =
-          width > 0 ? std::span(state.back).subspan(p * width, width) : std::span<const double>();
-      const double hardening = law.hardening(state.accumulated[p], direction, T, constants, back);
+      const double hardening = points.hardening(p, state, direction);
       const double volume = body.discretization().weights()[p];
-      points_.push_back({b, p, direction, volume * hardening, volume * (hardening + 3 * elastic.at(p).mu), volume});
+      points_.push_back(
+          {b, p, direction, volume * hardening, volume * (hardening + 3 * points.shear_modulus(p)), volume});
     }
   }
   is_elastic_ = !assembly.team().any(!points_.empty());

@@ -36,8 +36,8 @@ class PlasticityMaker {
       draft_.left_out.push_back(
           {table_.place, "PLASTIC",
            "next to *CREEP as in Abaqus: creep goes on at any stress, and plastic strain above the yield stress adds "
-           "to "
-           "it; CalculiX takes both for one law, A (q - yield stress)^n above the yield stress and nothing below it"});
+           "to it; CalculiX takes both for one law, A (q - yield stress)^n above the yield stress and nothing below "
+           "it"});
     config::Plasticity plasticity;
     if (material_.hardening == "ISOTROPIC")
       isotropic(plasticity);

@@ -125,8 +125,7 @@ class FunctionSearch {
     if (times.empty()) {
       log::warning(
           "'{}' turns back about {:.2g} times: steps do not end at all turns, and plastic strain that they leave may "
-          "be "
-          "missed; integrate fewer periods (time.cycle with time.jump_cycles)",
+          "be missed; integrate fewer periods (time.cycle with time.jump_cycles)",
           found.key, found.events.n_turns);
       return;
     }

@@ -8,10 +8,12 @@
 
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/config/configured.hpp"
-#include "point_extreme.hpp"
+#include "creepcontact/mechanics/point_extreme.hpp"
 
 namespace creepcontact::model {
 namespace {
+
+using mechanics::point_extreme, mechanics::PointExtreme, mechanics::point_rounding;
 
 constexpr double data_rounding = 1e-6;  // ranges of data are written with six digits
 

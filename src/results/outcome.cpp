@@ -7,6 +7,7 @@
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/mechanics/point_extreme.hpp"
 #include "creepcontact/results/contact_values.hpp"
 #include "creepcontact/results/contact_width.hpp"
 
@@ -72,17 +73,13 @@ StepValues::Flow flow_of(const mechanics::Body& body, const std::vector<double>&
   if (!team.any(!accumulated.empty())) return flow;
   const mechanics::Discretization& discretization = body.discretization();
   std::array<double, 2> volumes{};  // that has yielded, and all
-  std::array<double, 4> largest{};
   for (std::size_t p = 0; p < discretization.n_points(); ++p) {
     volumes[1] += discretization.weights()[p];
-    if (accumulated.empty() || !(accumulated[p] > 0)) continue;
-    volumes[0] += discretization.weights()[p];
-    const Vector3& x = discretization.point_coordinates()[p];
-    if (accumulated[p] > largest[0]) largest = {accumulated[p], x.x(), x.y(), x.z()};
+    if (!accumulated.empty() && accumulated[p] > 0) volumes[0] += discretization.weights()[p];
   }
   team.sum(volumes);
-  team.broadcast(largest, team.rank_of_max(largest[0]));
-  return {largest[0], {largest[1], largest[2], largest[3]}, volumes[0] / volumes[1]};
+  const auto [largest, x, y, z] = mechanics::point_extreme(body, accumulated, 1, team);
+  return {largest, {x, y, z}, volumes[0] / volumes[1]};
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ class StartReport {
     for (const std::string& warning : strains.warnings()) text += "  warning: " + warning + "\n";
     const auto relaxation = system_.initial_relaxation(at_, config_.time.end);
     for (std::size_t b = 0; b < assembly.bodies().size(); ++b) text += body_line(b, relaxation[b]);
-    return text + flow_line(finer);
+    return has_yielded() ? text + flow_line(finer) : text;
   }
 
  private:
@@ -109,7 +109,6 @@ class StartReport {
 
   /// What the load path of the plastic strains leaves uncertain.
   std::string flow_line(const std::optional<creep::Equilibrium>& finer) const {
-    if (!has_yielded()) return "";
     const int substeps = config_.contact_solver.initial_substeps;
     if (!finer) return fmt::format("  no state was found with contact_solver.initial_substeps = {}\n", 2 * substeps);
     double change = 0, largest = 0;

@@ -176,16 +176,29 @@ class EquilibriumSolver {
   void grow(const std::vector<mechanics::BodyConditions>& from, double begin, const Eigen::VectorXd& gaps,
             Equilibrium& at, const std::vector<std::size_t>& preloads, int substeps, CreepStrains creep,
             History& history);
-  /// Makes the flow of an equilibrium, and the estimate of its error, part of the history.
-  void keep_flow(const Equilibrium& at, CreepStrains creep, History& history) const;
+  /// Solves with `part` of the forces of these preloads, and takes contact and slip of what is found into the history.
+  /// @param solve  sets `at` to the equilibrium of a history
+  void take_part(double part, const std::vector<std::size_t>& preloads,
+                 const std::function<const Equilibrium&(const History&)>& solve, const Equilibrium& at,
+                 History& history);
   /// The estimated error of the return in the step to `at`, as PlasticHistory::error; nullopt in the first since a
   /// kink.
   std::optional<double> return_error(const Equilibrium& at, const History& history) const;
-  /// The step as one: nothing of it is followed but friction. @returns as FrictionFollower::follow()
-  std::vector<PathPoint> take(const Equilibrium& at, CreepStrains creep, History& history, const PathOptions& options);
-  /// A step in equal parts. @returns nothing if one of them cannot be solved; else `history` is that of the end
-  std::vector<PathLeg> in_parts(int n, const Equilibrium& at, CreepStrains creep, History& history,
-                                const PathOptions& options);
+  /// Makes the flow of an equilibrium part of the history. @param error  return_error()
+  void keep_flow(const Equilibrium& at, CreepStrains creep, std::optional<double> error, History& history) const;
+  /// The step as one: nothing of it is followed but friction. @param error  return_error()
+  /// @returns as FrictionFollower::follow()
+  std::vector<PathPoint> take(const Equilibrium& at, CreepStrains creep, std::optional<double> error, History& history,
+                              const PathOptions& options);
+  /// A step in parts, and the history at its end.
+  struct FlowPath {
+    std::vector<PathLeg> legs;  ///< empty: one of them cannot be solved
+    History end;
+  };
+  FlowPath in_parts(int n, const Equilibrium& at, CreepStrains creep, const History& from, const PathOptions& options);
+  /// A step that flows, in as many parts as its return needs; no legs: it is good as it is. @param error  of it
+  FlowPath follow_flow(const Equilibrium& at, CreepStrains creep, std::optional<double> error, const History& from,
+                       const PathOptions& options);
   /// linearized() of elastic bodies.
   void linearized_elastic(const Equilibrium& at, CreepStrains creep_change, std::vector<std::vector<double>>& stress);
   /// Sets the space of the results.

@@ -16,9 +16,8 @@ class PlasticError final : public Observer {
     if (error() > noticed_error)
       log::warning(
           "plastic flow: the estimated errors of its steps add up to {:.2g} of the yield stress: plastic strains that "
-          "go "
-          "on growing may be off by as much elastic strain; more time.breakpoints where something flows, or a smaller "
-          "time.tolerance, reduce it",
+          "go on growing may be off by as much elastic strain; more time.breakpoints where something flows, or a "
+          "smaller time.tolerance, reduce it",
           error());
   }
   void finish(Summary& summary) const override { summary.results.plastic_error = error(); }

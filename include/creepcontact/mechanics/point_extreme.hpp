@@ -10,15 +10,15 @@
 #include "creepcontact/base/team.hpp"
 #include "creepcontact/mechanics/body.hpp"
 
-namespace creepcontact::model {
+namespace creepcontact::mechanics {
 
 inline constexpr double point_rounding = 1e-9;  ///< of values that are interpolated
 
 using PointExtreme = std::array<double, 4>;  ///< a value, and its place
 
-/// Collective. @param sign  1: the largest, -1: the smallest @param values  of the points of this process
-inline PointExtreme point_extreme(const mechanics::Body& body, const std::vector<double>& values, int sign,
-                                  const Team& team) {
+/// Collective. @param sign  1: the largest, -1: the smallest @param values  of the points of this process;
+/// may be empty there
+inline PointExtreme point_extreme(const Body& body, const std::vector<double>& values, int sign, const Team& team) {
   double rank_by = -std::numeric_limits<double>::infinity();
   for (const double value : values) rank_by = std::max(rank_by, sign * value);
   // Where several points have it but for rounding, the first.
@@ -33,4 +33,4 @@ inline PointExtreme point_extreme(const mechanics::Body& body, const std::vector
   return result;
 }
 
-}  // namespace creepcontact::model
+}  // namespace creepcontact::mechanics
