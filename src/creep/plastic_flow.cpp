@@ -106,6 +106,20 @@ bool PlasticFlow::yields(const Body& body, std::size_t point, const std::vector<
   return tensor::squared_von_mises(Tensor6(at - body.points.back_stress(point, back))) > yield * yield;
 }
 
+bool PlasticFlow::any_yields(const Body& body, const std::vector<double>& stress) const {
+  const PlasticState& before = from_.bodies[body.number];
+  const std::int64_t n = signed_size(body.points.size());
+  const bool is_virgin = body.points.is_uniform() && before.accumulated.empty() && before.back.empty();
+  const double yield = is_virgin && n > 0 ? yield_before(body, 0) : 0, limit = yield * yield;
+  bool any = false;
+#pragma omp parallel for schedule(static) reduction(|| : any) if (n > signed_size(numerics::parallel_points))
+  for (std::int64_t i = 0; i < n; ++i) {
+    const auto p = static_cast<std::size_t>(i);
+    any = any || (is_virgin ? tensor::squared_von_mises(tensor::view(stress, p)) > limit : yields(body, p, stress));
+  }
+  return any;
+}
+
 bool PlasticFlow::return_own_stress(const Equilibrium& at) {
   bool flows = false;
   for (Body& body : bodies_) {
@@ -113,14 +127,9 @@ bool PlasticFlow::return_own_stress(const Equilibrium& at) {
     const std::vector<double>& stress = at.bodies[body.number].stress;
     const std::size_t n = body.points.size(), width = body.points.back_width();
     bool any = false;
-    if (body.guess.empty()) {
-#pragma omp parallel for schedule(static) reduction(|| : any) if (n > numerics::parallel_points)
-      for (std::int64_t i = 0; i < signed_size(n); ++i) any = any || yields(body, static_cast<std::size_t>(i), stress);
-      if (!any) {
-        body.flow.clear();
-        continue;
-      }
-      any = false;
+    if (body.guess.empty() && !any_yields(body, stress)) {
+      body.flow.clear();
+      continue;
     }
     const auto flow_at = [&](std::size_t p, std::span<double> back) {
       Tensor6 trial = tensor::deviator(Tensor6(tensor::view(stress, p)));

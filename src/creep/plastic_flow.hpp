@@ -69,6 +69,8 @@ class PlasticFlow {
   bool return_own_stress(const Equilibrium& at);
   /// True if a stress is outside the yield surface of the last accepted step by more than a margin.
   bool yields(const Body& body, std::size_t point, const std::vector<double>& stress, double margin = 0) const;
+  /// True if it is so anywhere. Cost: one pass over the stress, also of bodies that never yield
+  bool any_yields(const Body& body, const std::vector<double>& stress) const;
   void activate(Body& body, std::size_t point);
   std::string loads() const;
   std::string place(const Body& body, std::size_t point) const;

@@ -38,7 +38,7 @@ double PlasticPoints::temperature(std::size_t point) const {
 
 std::span<const double> PlasticPoints::constants(std::size_t point) const {
   const std::size_t width = law_->n_constants();
-  return std::span(constants_).subspan(constants_.size() == width ? 0 : point * width, width);
+  return std::span(constants_).subspan(is_uniform() ? 0 : point * width, width);
 }
 
 std::span<const double> PlasticPoints::back_of(std::size_t point, const std::vector<double>& back) const {

@@ -18,6 +18,8 @@ class PlasticPoints {
   std::size_t size() const { return n_points_; }
   /// Width of the back stresses of a point: 6 n_back.
   std::size_t back_width() const { return 6 * law_->n_back(); }
+  /// True if the constants are the same at all points: what has not flowed has one yield stress.
+  bool is_uniform() const { return constants_.size() == law_->n_constants(); }
   double yield_stress(std::size_t point, const std::vector<double>& accumulated) const;
   Tensor6 back_stress(std::size_t point, const std::vector<double>& back) const;
   /// material::Plasticity::hardening() in a state.
