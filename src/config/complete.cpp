@@ -112,6 +112,8 @@ void complete(Config& config, const Vocabulary& vocabulary) {
     translate_data_range(material, config.remarks);
     report_units(material, config.remarks);
   }
+  for (Gasket& gasket : config.gaskets)
+    for (CreepMechanism& mechanism : gasket.creep) complete_law(mechanism, vocabulary.laws);
   for (Contact& contact : config.contacts)
     if (contact.name.empty()) contact.name = default_name(contact);
   for (Probe& probe : config.probes) {

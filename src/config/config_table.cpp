@@ -40,6 +40,8 @@ Value<Config> config_table(const Vocabulary& vocabulary) {
                     "the axial strain of sections, common to all bodies or of each by itself"),
       field<Config>("temperature", &Config::temperature, temperature_table(), "temperature of all bodies")
           .otherwise("each material is at its `reference_temperature`"),
+      field<Config>("gaskets", &Config::gaskets, named(gasket_table(vocabulary)),
+                    "gaskets between surfaces, by the pressure over their closure"),
       field<Config>("contacts", &Config::contacts, tables(contact_table()), "pairs of surfaces in contact"),
       field<Config>("cyclic", &Config::cyclic, tables(cyclic_table()),
                     "cyclic symmetry: the model is one of the sectors of a full circle"),

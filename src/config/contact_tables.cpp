@@ -102,6 +102,9 @@ std::optional<Contact> make_contact(ContactKeys keys, const Item& item, Context&
   if (keys.type == ContactType::tied && !keys.friction.is_zero())
     context.errors.add(item.child("friction").location, "has no effect on a tied contact, which never slides",
                        "no friction, or type = \"unilateral\"");
+  if (keys.type == ContactType::tied && keys.gasket.given())
+    context.errors.add(item.child("gasket").location, "has no effect on a tied contact, which joins the surfaces",
+                       "no gasket, or type = \"unilateral\"");
   if (!keys.between[0].given()) return std::nullopt;  // reported
   const std::string& first = keys.between[0].name;
   const std::string& second = keys.between[1].name;
@@ -172,6 +175,10 @@ Value<Contact> contact_table() {
       field<ContactKeys>("preload", &ContactKeys::preload, preload_table(),
                          "normal force instead of `gap`, as of a bolt; on a tied contact, which is then a cut through "
                          "the shank, a tension"),
+      field<ContactKeys>("gasket", &ContactKeys::gasket, reference("a gasket"),
+                         "name of the gasket between the surfaces, in `[gaskets]`; `gap` counts from its uncompressed "
+                         "face")
+          .otherwise("none: the surfaces touch"),
       field<ContactKeys>("friction", &ContactKeys::friction, function({"x", "y", "z", "t", "T"}, at_least(0)),
                          "coefficient of Coulomb friction; unilateral contacts only"),
   });

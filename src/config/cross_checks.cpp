@@ -72,6 +72,14 @@ void check_temperature(const Config& config, const Item& root, Diagnostics& erro
   const auto check = [&](const Function& function, const Location& where) {
     if (function.depends_on_temperature()) report(where);
   };
+  for (const Gasket& gasket : config.gaskets)
+    if (!gasket.reference_temperature) {
+      const Item table = root.child("gaskets").child(gasket.name);
+      if (gasket.loading.size() > 1) report(table.child("loading").location);
+      for (const CreepMechanism& mechanism : gasket.creep)
+        for (const CreepParameter& parameter : mechanism.parameters)
+          for (const Function& value : parameter.values) check(value, parameter.location);
+    }
   for (const Material& material : config.materials) {
     const Item table = root.child("materials").child(material.name);
     if (table.has("reference_temperature")) continue;
@@ -119,6 +127,12 @@ void check_reference_temperature(const Config& config, const Item& root, Diagnos
                "'reference_temperature' is missing: the temperature at which the thermal strain is zero is not known",
                "with reference_temperature, often the temperature of assembly");
   }
+  for (const Gasket& gasket : config.gaskets)
+    if (!gasket.thermal_expansion.is_zero() && !gasket.reference_temperature)
+      errors.add(
+          root.child("gaskets").child(gasket.name).child("thermal_expansion").location,
+          "'reference_temperature' is missing: the temperature at which the gasket has its thickness is not known",
+          "with reference_temperature, often the temperature of assembly");
 }
 
 /// Axes of a material without any are a mistake somewhere else.
@@ -186,6 +200,12 @@ void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
   for (const Support& support : config.supports) check_name(support.body, "body", bodies, errors);
   for (const Load& load : config.loads) check_name(load.body, "body", bodies, errors);
   for (const Probe& probe : config.probes) check_name(probe.body, "body", bodies, errors);
+  for (const Contact& contact : config.contacts) {
+    check_name(contact.gasket, "gasket", names_of(config.gaskets), errors);
+    if (contact.gasket.given() && config.gaskets.empty())
+      errors.add(contact.gasket.location, fmt::format("there is no gasket '{}'", contact.gasket.name),
+                 fmt::format("with [gaskets.{}]", contact.gasket.name));
+  }
   for (const Alpha::OfBody& alpha : config.contact_solver.alpha.of_body) check_name(alpha.body, "body", bodies, errors);
   check_unique(config.contacts, errors);
   check_pairs(config.contacts, errors);

@@ -232,6 +232,8 @@ void visit_law(const CreepMechanism& mechanism, Visitor& to) {
   }
 }
 
+}  // namespace
+
 /// The keys depend on `law`, so this is not a plain table.
 Value<CreepMechanism> mechanism_table(const std::vector<Law>& laws) {
   std::vector<std::string> names;
@@ -255,6 +257,8 @@ Value<CreepMechanism> mechanism_table(const std::vector<Law>& laws) {
   };
   return value;
 }
+
+namespace {
 
 constexpr const char* three = "a list of three";
 

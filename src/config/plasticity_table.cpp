@@ -8,21 +8,6 @@ namespace {
 
 constexpr const char* rising = "numbers that do not fall: a stress that falls with the strain depends on the mesh";
 
-/// A table, or a list of them.
-template <class T>
-Value<std::vector<T>> one_or_more_tables(const Value<T>& entry) {
-  Value<std::vector<T>> value = tables(entry);
-  value.json = [one = entry.json, several = value.json] { return schema_of_any({one(), several()}); };
-  value.read = [one = entry.read, several = value.read](const Item& item,
-                                                        Context& context) -> std::optional<std::vector<T>> {
-    if (!item.node->is_table()) return several(item, context);
-    auto found = one(item, context);
-    if (!found) return std::nullopt;
-    return std::vector{std::move(*found)};
-  };
-  return value;
-}
-
 Value<PlasticCurve> curve_table() {
   const auto keys = table<PlasticCurve>({
       field<PlasticCurve>("T", &PlasticCurve::T, number(), "temperature of this curve")

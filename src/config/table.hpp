@@ -256,6 +256,21 @@ Value<std::vector<T>> tables(const Value<T>& entry) {
   return value;
 }
 
+/// A table, or a list of them.
+template <class T>
+Value<std::vector<T>> one_or_more_tables(const Value<T>& entry) {
+  Value<std::vector<T>> value = tables(entry);
+  value.json = [one = entry.json, several = value.json] { return schema_of_any({one(), several()}); };
+  value.read = [one = entry.read, several = value.read](const Item& item,
+                                                        Context& context) -> std::optional<std::vector<T>> {
+    if (!item.node->is_table()) return several(item, context);
+    auto found = one(item, context);
+    if (!found) return std::nullopt;
+    return std::vector{std::move(*found)};
+  };
+  return value;
+}
+
 /// @param what  of components in space, or of other three
 template <class T>
 Value<std::array<T, 3>> triple(const Value<T>& entry, const std::string& what = "[x, y, z]") {

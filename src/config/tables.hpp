@@ -11,6 +11,8 @@ namespace creepcontact::config {
 Value<Mesh> mesh_table();
 Value<Body> body_table();
 Value<Material> material_table(const Vocabulary& vocabulary);
+/// A law of [[materials.<name>.creep]].
+Value<CreepMechanism> mechanism_table(const std::vector<Law>& laws);
 /// A constant of a law that is not given.
 CreepParameter default_parameter(const LawKey& key, const Location& location);
 /// Sets what the law specifies for a constant apart from its values.
@@ -19,6 +21,7 @@ Value<DataRange> data_range_table();
 Value<Rupture> rupture_table(const Vocabulary& vocabulary);
 Value<Fatigue> fatigue_table(const Vocabulary& vocabulary);
 Value<Plasticity> plasticity_table();
+Value<Gasket> gasket_table(const Vocabulary& vocabulary);
 Value<Support> support_table();
 Value<Load> load_table();
 Value<Temperature> temperature_table();

@@ -9,6 +9,7 @@ namespace {
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double min_pivot = 1e-12;
+constexpr double least_compliance = 1e-3;  // of the flexibility, in rows next to those of a gasket
 
 /// K restricted to the unknowns that contact rows touch, both triangles. @param place  of each unknown, or -1
 Sparse restricted(const linalg::SparseMatrix& lower, const std::vector<int>& position, int n) {
@@ -108,21 +109,34 @@ Eigen::VectorXd FactoredFlexibility::gaps(const Eigen::VectorXd& multiplier) con
   return gap;
 }
 
-std::unique_ptr<Preconditioner> FactoredFlexibility::preconditioner(const std::vector<int>& set) const {
+std::unique_ptr<Preconditioner> FactoredFlexibility::preconditioner(const std::vector<int>& set,
+                                                                    const Eigen::VectorXd& compliance) const {
   struct Block {
     std::vector<int> positions;  // in the set
     Sparse stiffness;
     Eigen::SimplicialLDLT<Sparse> square;
+    Eigen::VectorXd layer;                  // 1 / compliance; empty without gaskets
+    Eigen::SimplicialLDLT<Sparse> layered;  // B K B^T + D C^-1 D, with D = B B^T
+
+    Eigen::VectorXd multipliers(const Eigen::VectorXd& gaps) const {
+      if (layer.size() == 0) {
+        const Eigen::VectorXd displacement = square.solve(gaps);
+        const Eigen::VectorXd force = stiffness * displacement;
+        return square.solve(force);
+      }
+      const Eigen::VectorXd pressed = layer.cwiseProduct(gaps);
+      const Eigen::VectorXd displacement = layered.solve(coupling * pressed);
+      return pressed - layer.cwiseProduct(coupling * displacement);
+    }
+    Sparse coupling;  // D
   };
   class LumpedDirichlet final : public Preconditioner {
    public:
     Eigen::VectorXd multipliers(const Eigen::VectorXd& gaps) const override {
       Eigen::VectorXd result = rest.cwiseProduct(gaps);
       for (const auto& block : blocks) {
-        const Eigen::VectorXd displacement = block->square.solve(Eigen::VectorXd(gaps(block->positions)));
-        const Eigen::VectorXd force = block->stiffness * displacement;
-        const Eigen::VectorXd closing = block->square.solve(force);  // the solver permutes in place: no indexed target
-        result(block->positions) = closing;
+        const Eigen::VectorXd closing = block->multipliers(gaps(block->positions));
+        result(block->positions) = closing;  // the solver permutes in place: no indexed target
       }
       return result;
     }
@@ -130,7 +144,7 @@ std::unique_ptr<Preconditioner> FactoredFlexibility::preconditioner(const std::v
     Eigen::VectorXd rest;  // 1/diag F of rows in no block
   };
   auto result = std::make_unique<LumpedDirichlet>();
-  result->rest = diagonal_(set).cwiseMax(1e-14 * diagonal_.maxCoeff()).cwiseInverse();
+  result->rest = (diagonal_(set).cwiseMax(1e-14 * diagonal_.maxCoeff()) + compliance).cwiseInverse();
   for (const Lumped& lumped : lumped_) {
     auto block = std::make_unique<Block>();
     std::vector<int> own;
@@ -142,8 +156,21 @@ std::unique_ptr<Preconditioner> FactoredFlexibility::preconditioner(const std::v
     }
     if (own.empty()) continue;
     block->stiffness = submatrix(lumped.stiffness, own);
-    block->square.compute(submatrix(lumped.square, own));
-    if (block->square.info() == Eigen::Success) result->blocks.push_back(std::move(block));
+    const Sparse square = submatrix(lumped.square, own);
+    const Eigen::VectorXd layer = compliance(block->positions);
+    if (layer.isZero(0)) {
+      block->square.compute(square);
+      if (block->square.info() != Eigen::Success) continue;
+    } else {
+      std::vector<int> rows;
+      for (const int position : block->positions) rows.push_back(set[static_cast<std::size_t>(position)]);
+      block->layer = layer.cwiseMax(least_compliance * diagonal_(rows)).cwiseInverse();
+      block->coupling = square;
+      const Sparse layered = block->stiffness + Sparse(square * block->layer.asDiagonal() * square);
+      block->layered.compute(layered);
+      if (block->layered.info() != Eigen::Success) continue;
+    }
+    result->blocks.push_back(std::move(block));
   }
   return result;
 }

@@ -11,7 +11,9 @@
 namespace creepcontact::contact {
 
 /// Preconditioner: the slave's "lumped" Dirichlet half-sweep of Farhat and Roux (1991), D^-1 B K B^T D^-1 with D = B
-/// B^T, which lets only the contact surface itself move: sparse, and within a modest factor of the true one.
+/// B^T, which lets only the contact surface itself move: sparse, and within a modest factor of the true one. With a
+/// compliance C it is (F + C)^-1 for F = D (B K B^T)^-1 D, by Woodbury's formula C^-1 - C^-1 D (B K B^T + D C^-1 D)^-1
+/// D C^-1.
 class FactoredFlexibility final : public FlexibilityOperator {
  public:
   /// @param bodies  factored, with any ordering @param at  conditions that were factored
@@ -22,7 +24,8 @@ class FactoredFlexibility final : public FlexibilityOperator {
 
   Eigen::VectorXd gaps(const Eigen::VectorXd& multiplier) const override;
   const Eigen::VectorXd& diagonal() const override { return diagonal_; }
-  std::unique_ptr<Preconditioner> preconditioner(const std::vector<int>& set) const override;
+  std::unique_ptr<Preconditioner> preconditioner(const std::vector<int>& set,
+                                                 const Eigen::VectorXd& compliance) const override;
 
   /// Calls of gaps(): each is one pass forward and backward through all factors.
   std::int64_t n_products() const { return n_products_; }

@@ -112,6 +112,29 @@ Friction InterfaceRows::friction(double t) const {
   return result;
 }
 
+Eigen::VectorXd InterfaceRows::creep_gaps(std::span<const double> closures) const {
+  Eigen::VectorXd gaps;
+  if (closures.empty()) return gaps;
+  gaps.setZero(n_rows());
+  for (std::size_t i = 0; i < closures.size(); ++i)
+    gaps[problem_.nodes[i].first_row] = problem_.nodes[i].gasket_area * closures[i];
+  return gaps;
+}
+
+std::vector<ClosureCurve> InterfaceRows::gasket_curves(double t, const Eigen::VectorXd& largest) const {
+  if (!problem_.has_gaskets()) return {};
+  std::vector<ClosureCurve> result(problem_.nodes.size());
+  for (const Pair& pair : pairs_) {
+    if (!pair.gasket) continue;
+    const std::vector<double> temperatures = pair.gasket->temperatures(t);
+    for (std::size_t i = 0; i < temperatures.size(); ++i) {
+      const auto node = static_cast<std::size_t>(pair.first_node) + i;
+      result[node] = pair.gasket->kind().law.curve(largest[static_cast<Index>(node)], temperatures[i]);
+    }
+  }
+  return result;
+}
+
 Eigen::VectorXd InterfaceRows::unloaded_gap() const {
   Eigen::VectorXd gap = Eigen::VectorXd::Zero(n_rows());
   for (const Pair& pair : pairs_) {

@@ -71,8 +71,10 @@ void add_nodes(const Pair& pair, ContactProblem& problem) {
                             : pair.coupling.has_friction()          ? AdmissibleSet::cone
                                                                     : AdmissibleSet::half_line;
   const int width = static_cast<int>(pair.coupling.rows_per_node());
-  for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
+  for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
     problem.add_node(set, width, static_cast<int>(pair.slave_body), static_cast<int>(pair.master_body));
+    if (pair.gasket) problem.nodes.back().gasket_area = pair.coupling.area[i];
+  }
 }
 
 void LoadBalance::warn_of_held_overlaps(const InterfaceLoad& load) {
@@ -98,8 +100,12 @@ ContactLoad LoadBalance::contact_load(const InterfaceLoad& load) {
   const std::string warning = require_free_motions_unloaded(rows_.rigid_body_modes(), load.work, load.force, load.time);
   if (!warning.empty() && !residual_warned_) log::warning("{}", warning);
   residual_warned_ = residual_warned_ || !warning.empty();
-  return {load.gap, held_resultant(rows_.rigid_body_modes(), load.work, load.force), load.friction,
-          idle_rows(rows_.pairs(), load.time), held_force(rows_.rigid_body_modes(), load.force)};
+  return {load.gap,
+          held_resultant(rows_.rigid_body_modes(), load.work, load.force),
+          load.friction,
+          idle_rows(rows_.pairs(), load.time),
+          held_force(rows_.rigid_body_modes(), load.force),
+          load.curves};
 }
 
 void LoadBalance::report(const UnbalancedLoad& unbalanced, double t) const {

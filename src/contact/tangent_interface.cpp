@@ -31,7 +31,7 @@ void TangentInterface::add_trace(std::size_t body, std::span<const double> y, Ei
 
 ContactState TangentInterface::close(const ContactState& at, const Eigen::VectorXd& gap) {
   // Factors of elastic flexibilities are of no use here.
-  return active_set_.solve_change({{}, {}, at.active, at.nodes, {}}, gap);
+  return active_set_.solve_change({{}, {}, at.active, at.nodes, {}, {}, {}, at.compliance}, gap);
 }
 
 void TangentInterface::add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) const {

@@ -19,12 +19,12 @@ constexpr double share_of_flow = 0.05;  // of the tolerance in a step: errors of
 /// Creep strains between those of the last step and those of now.
 class CreepBetween {
  public:
-  CreepBetween(const Assembly& assembly, const PlasticHistory& from, EquilibriumSolver::CreepStrains to)
-      : assembly_(assembly), from_(from), to_(to) {}
+  CreepBetween(const Assembly& assembly, const History& from, EquilibriumSolver::CreepStrains to)
+      : assembly_(assembly), from_(from.plastic), closures_before_(from.gaskets.creep), to_(to) {}
 
   EquilibriumSolver::CreepStrains at(double part) {
-    views_.assign(to_.begin(), to_.end());
-    if (part == 1) return views_;
+    if (part == 1) return to_;
+    views_.assign(to_.bodies().begin(), to_.bodies().end());
     values_.resize(to_.size());
     for (std::size_t b = 0; b < to_.size(); ++b) {
       if (to_[b].empty()) continue;
@@ -37,13 +37,18 @@ class CreepBetween {
       }
       views_[b] = {values_[b], 6};
     }
-    return views_;
+    closures_.assign(to_.closures().begin(), to_.closures().end());
+    for (std::size_t i = 0; i < closures_.size() && !closures_before_.empty(); ++i)
+      closures_[i] = part * closures_[i] + (1 - part) * closures_before_[i];
+    return {views_, closures_};
   }
 
  private:
   const Assembly& assembly_;
   const PlasticHistory& from_;
+  const std::vector<double>& closures_before_;
   EquilibriumSolver::CreepStrains to_;
+  std::vector<double> closures_;
   std::vector<std::vector<double>> values_;
   std::vector<mechanics::CreepStrainView> views_;
 };
@@ -101,6 +106,8 @@ std::vector<PathPoint> EquilibriumSolver::take(const Equilibrium& at, CreepStrai
   }
   history.friction = path.empty() ? at.friction : path.back().friction;
   keep_flow(at, creep, error, history);
+  history.gaskets.advance(at.time, contact.closure);
+  history.gaskets.creep = at.creep_closure;
   history.contact = contact;
   if (!iterates()) return path;
   std::vector<History::Accepted>& accepted = history.accepted;
@@ -113,7 +120,7 @@ std::vector<PathPoint> EquilibriumSolver::take(const Equilibrium& at, CreepStrai
 EquilibriumSolver::FlowPath EquilibriumSolver::in_parts(int n, const Equilibrium& at, CreepStrains creep,
                                                         const History& from, const PathOptions& options) {
   const double begin = from.plastic.time;
-  CreepBetween course(assembly_, from.plastic, creep);
+  CreepBetween course(assembly_, from, creep);
   FlowPath path{{}, from};
   Equilibrium end;
   try {
@@ -159,7 +166,7 @@ EquilibriumSolver::FlowPath EquilibriumSolver::follow_flow(const Equilibrium& at
 
 std::vector<PathLeg> EquilibriumSolver::accept(const Equilibrium& at, CreepStrains creep, History& history,
                                                const PathOptions& options) {
-  if (!at.plastic.flows && history.friction.slip.size() == 0) {
+  if (!at.plastic.flows && history.friction.slip.size() == 0 && history.gaskets.largest.size() == 0) {
     take(at, creep, 0, history, options);
     return {};
   }

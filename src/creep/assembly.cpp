@@ -29,7 +29,9 @@ Assembly::Assembly(std::vector<mechanics::Body> bodies, std::vector<contact::Pai
 }
 
 bool Assembly::creeps() const {
-  return std::ranges::any_of(bodies_, [](const mechanics::Body& body) { return body.material().creeps(); });
+  return std::ranges::any_of(bodies_, [](const mechanics::Body& body) { return body.material().creeps(); }) ||
+         std::ranges::any_of(pairs_,
+                             [](const contact::Pair& pair) { return pair.gasket && pair.gasket->kind().creep; });
 }
 
 void Assembly::update(double t, std::vector<mechanics::BodyConditions>& conditions) const {

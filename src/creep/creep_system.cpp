@@ -10,6 +10,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/numerics/long_vectors.hpp"
 #include "flow_vector.hpp"
+#include "gasket_creep.hpp"
 #include "vector_views.hpp"
 
 namespace creepcontact::creep {
@@ -68,12 +69,15 @@ bool jumps(const Team& team, const Equilibrium& from, const History& to, double 
 CreepSystem::CreepSystem(EquilibriumSolver& solver, const ElasticSurvey& survey, double tolerance, Stopwatch& watch)
     : solver_(solver),
       watch_(watch),
-      scale_(solver.assembly(), survey.stress),
+      scale_(solver.assembly(), survey.stress, survey.gasket_strain),
       laws_(solver.assembly(), min_strains(solver.assembly(), scale_, tolerance)),
       may_start_singular_(survey.singular_start),
       tolerance_(tolerance),
       yield_steps_(solver.assembly()),
-      history_(solver.initial_history()) {
+      history_(solver.initial_history()),
+      gaskets_(std::make_unique<GasketCreep>(solver.assembly())) {
+  for (const double strain : scale_.gasket_strain())
+    min_gasket_strains_.push_back(strain > 0 ? min_share * tolerance * strain : material::PointState{}.min_strain);
   preconditioners_.resize(laws_.points().size());
   for (const MaterialPoints& points : laws_.points())
     local_.push_back(points.has_closed_form() ? nullptr : std::make_unique<MaterialTangent>(points));
@@ -87,22 +91,29 @@ void CreepSystem::begin_segment(double begin, double end) {
   yield_steps_.begin_segment();
   history_.plastic.before.clear();
   history_.plastic.smooth_since = begin;
+  history_.gaskets.begin_segment();
 }
 
 double CreepSystem::load_time(double t) const {
   return std::max(std::min(t, just_before(segment_end_)), just_after(segment_begin_));
 }
 
+CreepStrains CreepSystem::strains(std::span<const double> y) {
+  laws_.layout().views(y, views_);
+  gaskets_->closures(laws_.layout().gaskets(y), closures_);
+  return {views_, closures_};
+}
+
 void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
   into.valid = into.has_tangents = false;
   into.time = t;
   numerics::copy(y, into.y);
-  laws_.layout().views(into.y, views_);
+  const CreepStrains creep = strains(into.y);
   try {
     if (path_.contains(t))
-      path_.solve(solver_, t, views_, into.equilibrium);
+      path_.solve(solver_, t, creep, into.equilibrium);
     else
-      solver_.solve(t, views_, history_, into.equilibrium);
+      solver_.solve(t, creep, history_, into.equilibrium);
   } catch (const contact::SlidingOff& error) {
     // A trial state of the integrator may slide off where the solution does not.
     if (!has_friction() || t - history_.friction.time <= min_sliding_step * t) throw;
@@ -147,6 +158,8 @@ double CreepSystem::rate_change(double from, std::span<const double> y, double t
       laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
         points.rate(laws_.state(b, at, at.y), laws_.layout().part(b, std::span(rate)), {});
       });
+      gaskets_->rate(at.equilibrium, laws_.layout().gaskets(std::span(at.y)), min_gasket_strains_,
+                     laws_.layout().gaskets(std::span(rate)));
     });
     return rate;
   };
@@ -194,6 +207,7 @@ void CreepSystem::rate(double t, std::span<const double> y, std::span<double> ra
       const auto tangents = with_tangents ? std::span(step_.tangents[b]) : std::span<material::StressTangent>();
       points.rate(laws_.state(b, at, y), laws_.layout().part(b, rate), tangents);
     });
+    gaskets_->rate(at.equilibrium, laws_.layout().gaskets(y), min_gasket_strains_, laws_.layout().gaskets(rate));
     step_.has_tangents = step_.has_tangents || with_tangents;
     if (!numerics::is_finite(rate)) throw RecoverableError(describe_overflow(at, rate));
   });
@@ -203,13 +217,14 @@ void CreepSystem::jacobian_times(double t, std::span<const double> y, std::span<
                                  std::span<double> product) {
   const Evaluation& at = evaluate_step(t, y);
   ++jacobian_products_;
-  laws_.layout().views(v, views_);
-  solver_.linearized(at.equilibrium, views_, stress_change_);
+  const Eigen::VectorXd multiplier = solver_.linearized(at.equilibrium, strains(v), stress_change_);
   const auto lap = watch_.lap(Part::material);
   laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
     points.derivative(laws_.state(b, at, y), {stress_change_[b], laws_.layout().part(b, v)},
                       laws_.layout().part(b, product));
   });
+  gaskets_->derivative(at.equilibrium, laws_.layout().gaskets(y), min_gasket_strains_, multiplier,
+                       laws_.layout().gaskets(v), laws_.layout().gaskets(product));
 }
 
 const std::vector<std::vector<material::StressTangent>>& CreepSystem::step_tangents() {
@@ -229,6 +244,7 @@ void CreepSystem::prepare_preconditioner(double t, std::span<const double> y) {
   laws_.for_each_creeping([&](std::size_t b, const MaterialPoints&) {
     if (!local_[b]) preconditioners_[b].linearize(laws_.state(b, at, y), step_tangents()[b]);
   });
+  gasket_jacobians_ = gaskets_->jacobians(at.equilibrium, laws_.layout().gaskets(y), min_gasket_strains_);
   local_gamma_ = 0;
 }
 
@@ -244,6 +260,13 @@ void CreepSystem::precondition(double gamma, std::span<const double> r, std::spa
     if (!prepared) local_[b]->prepare(gamma, laws_.state(b, step_, step_.y));
     local_[b]->solution(right, {}, result);
   });
+  gaskets_->precondition(gasket_jacobians_, gasket_flexibility(), gamma, laws_.layout().gaskets(r),
+                         laws_.layout().gaskets(z));
+}
+
+Eigen::VectorXd CreepSystem::gasket_flexibility() const {
+  if (gaskets_->empty()) return {};
+  return contact::row_flexibility(solver_.interface().problem()) + step_.equilibrium.contact.compliance;
 }
 
 void CreepSystem::precondition_once(double t, std::span<const double> y, double gamma, std::span<const double> r,
@@ -259,14 +282,17 @@ void CreepSystem::precondition_once(double t, std::span<const double> y, double 
     else
       PointPreconditioner::apply_once(state, step_tangents()[b], gamma, right, result);
   });
+  gaskets_->precondition(gaskets_->jacobians(at.equilibrium, laws_.layout().gaskets(y), min_gasket_strains_),
+                         gasket_flexibility(), gamma, laws_.layout().gaskets(r), laws_.layout().gaskets(z));
 }
 
 void CreepSystem::prepare_tangent(double t, std::span<const double> y, double gamma) {
   const Evaluation& at = evaluate_step(t, y);
-  if (!tangent_) tangent_.emplace(solver_, laws_.points(), laws_.layout(), watch_);
+  if (!tangent_) tangent_.emplace(solver_, laws_.points(), *gaskets_, laws_.layout(), watch_);
   std::vector<PointsState> states;
   for (std::size_t b = 0; b < laws_.points().size(); ++b) states.push_back(laws_.state(b, at, y));
-  tangent_->prepare(gamma, states, at.equilibrium.stiffness_scale);
+  tangent_->prepare(gamma, states, gaskets_->jacobians(at.equilibrium, laws_.layout().gaskets(y), min_gasket_strains_),
+                    at.equilibrium.stiffness_scale);
 }
 
 void CreepSystem::solve_tangent(std::span<const double> r, std::span<double> z) {
@@ -278,6 +304,8 @@ double CreepSystem::smallest_start_exponent(double t, const Evaluation& at) cons
   laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
     smallest = std::min(smallest, points.start_exponent(t, laws_.state(b, at, at.y)));
   });
+  smallest = std::min(smallest, gaskets_->start_exponent(t, at.equilibrium, laws_.layout().gaskets(std::span(at.y)),
+                                                         min_gasket_strains_));
   return team().min(smallest);
 }
 
@@ -292,6 +320,8 @@ void CreepSystem::start_increment(double t, std::span<const double> y, double st
   laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
     points.add_increment(t, duration, laws_.state(b, at, y), laws_.layout().part(b, change));
   });
+  gaskets_->add_increment(t, duration, at.equilibrium, laws_.layout().gaskets(y), min_gasket_strains_,
+                          laws_.layout().gaskets(change));
 }
 
 std::optional<CreepSystem::Extreme> CreepSystem::largest(const material::StateVariable& scalar, std::size_t body,
@@ -315,7 +345,13 @@ double CreepSystem::stable_step(double t, std::span<const double> y) {
   evaluate_step(t, y);
   const auto lap = watch_.lap(Part::material);
   step_tangents();
-  return 2 * std::ranges::min(relaxation_times(step_));
+  double fastest = 0;
+  if (!gaskets_->empty())
+    fastest = gaskets_->stiffest_rate(
+        gaskets_->jacobians(step_.equilibrium, laws_.layout().gaskets(y), min_gasket_strains_), gasket_flexibility());
+  fastest = team().max(fastest);
+  const double of_bodies = std::ranges::min(relaxation_times(step_));
+  return 2 * (fastest > 0 ? std::min(of_bodies, 1 / fastest) : of_bodies);
 }
 
 std::vector<double> CreepSystem::relaxation_times(const Evaluation& at) const {
@@ -351,11 +387,9 @@ bool CreepSystem::is_near(double t, std::span<const double> y, const Evaluation&
 }
 
 double CreepSystem::excursion_at_end(std::span<const double> y) {
-  std::vector<mechanics::CreepStrainView> views;
-  laws_.layout().views(y, views);
   constexpr double unknown = 1;
   try {
-    return solver_.yielding_excursion(load_time(segment_end_), views, history_);
+    return solver_.yielding_excursion(load_time(segment_end_), strains(y), history_);
   } catch (const SolverError&) {  // the steps will tell
     return unknown;
   } catch (const ModelError&) {
@@ -373,11 +407,10 @@ void CreepSystem::pass_breakpoint(double t, std::span<const double> y) {
   if (solver_.has_preload_due(t, history_)) {
     forget_evaluations();
     step_.y.assign(y.begin(), y.end());
-    laws_.layout().views(step_.y, views_);
-    solver_.apply_preloads(t, load_time(t), views_, history_);
+    solver_.apply_preloads(t, load_time(t), strains(step_.y), history_);
   }
   if (has_yielding() && settle_flow(t, y, before)) return;
-  if (has_friction()) accept(t, y);
+  if (has_friction() || has_gaskets()) accept(t, y);
 }
 
 void CreepSystem::settle_flow(double t, std::span<const double> y) {
@@ -386,13 +419,13 @@ void CreepSystem::settle_flow(double t, std::span<const double> y) {
 
 bool CreepSystem::settle_flow(double t, std::span<const double> y, const History& before) {
   const Evaluation& at = evaluate_step(t, y);
-  laws_.layout().views(step_.y, views_);
+  const CreepStrains creep = strains(step_.y);
   if (!at.equilibrium.plastic.flows) {
-    solver_.settle(at.equilibrium, views_, history_);
+    solver_.settle(at.equilibrium, creep, history_);
     return false;
   }
   history_ = before;
-  solver_.pass_jump(t, load_time(t), views_, history_);
+  solver_.pass_jump(t, load_time(t), creep, history_);
   path_ = {};
   forget_evaluations();
   return true;
@@ -417,13 +450,12 @@ std::vector<double> CreepSystem::scale_of_flow() const {
 
 void CreepSystem::accept(double t, std::span<const double> y) {
   if (depends_on_path()) {
-    if (step_.equilibrium.plastic.flows || has_friction())
+    if (step_.equilibrium.plastic.flows || has_friction() || has_gaskets())
       if (!is_near(load_time(t), y, step_)) evaluate_step(t, y);
-    laws_.layout().views(step_.y, views_);
   }
   const double begin = std::max(0.0, segment_begin_);
-  path_ = LastPath(solver_.accept(step_.equilibrium, views_, history_,
-                                  {tolerance_, std::isfinite(segment_end_) ? segment_end_ - begin : 0.0}));
+  path_ = LastPath(solver_.accept(step_.equilibrium, depends_on_path() ? strains(step_.y) : CreepStrains(views_),
+                                  history_, {tolerance_, std::isfinite(segment_end_) ? segment_end_ - begin : 0.0}));
   rate_has_jumped_ = path_.has_substeps() && jumps(team(), step_.equilibrium, history_, tolerance_);
   const auto lap = watch_.lap(Part::material);
   scale_.follow(step_.equilibrium);

@@ -109,13 +109,17 @@ std::vector<double> Distribution::gather_states(std::span<const double> own) con
   const std::size_t n_own_vectors = layout.size() > 0 ? own.size() / layout.size() : 0;
   const auto n_vectors = static_cast<std::size_t>(team().max(static_cast<double>(n_own_vectors)));
   std::vector<double> result;
-  for (std::size_t v = 0; v < n_vectors; ++v)
+  for (std::size_t v = 0; v < n_vectors; ++v) {
     for (std::size_t b = 0; b < whole_.bodies().size(); ++b) {
       const auto part =
           layout.size() > 0 ? layout.part(b, own.subspan(v * layout.size(), layout.size())) : std::span<const double>();
       const std::vector<double> of_body = gather_points(b, layout.stride(b), part);
       result.insert(result.end(), of_body.begin(), of_body.end());
     }
+    if (layout.n_gaskets() == 0) continue;  // the root has them
+    const auto gaskets = layout.gaskets(own.subspan(v * layout.size(), layout.size()));
+    result.insert(result.end(), gaskets.begin(), gaskets.end());
+  }
   return result;
 }
 
@@ -125,12 +129,16 @@ std::vector<double> Distribution::own_states(std::span<const double> whole) cons
   const std::size_t size = whole_layout_.size();
   if (whole.empty()) return result;
   if (size == 0 || whole.size() % size != 0) throw std::invalid_argument("not a whole number of states");
-  for (std::size_t v = 0; v < whole.size() / size; ++v)
+  for (std::size_t v = 0; v < whole.size() / size; ++v) {
     for (std::size_t b = 0; b < whole_.bodies().size(); ++b) {
       if (whole_layout_.stride(b) == 0) continue;
       const std::vector<double> of_body = own_points(b, whole_layout_.part(b, whole.subspan(v * size, size)));
       result.insert(result.end(), of_body.begin(), of_body.end());
     }
+    if (!is_root() || whole_layout_.n_gaskets() == 0) continue;
+    const auto gaskets = whole_layout_.gaskets(whole.subspan(v * size, size));
+    result.insert(result.end(), gaskets.begin(), gaskets.end());
+  }
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include "creepcontact/creep/error_scale.hpp"
 #include "creepcontact/creep/material_points.hpp"
 #include "creepcontact/creep/relaxation.hpp"
+#include "gasket_creep.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -55,7 +56,7 @@ class Survey {
   }
 
   ElasticSurvey at(const std::vector<double>& times) {
-    ElasticSurvey result{std::vector<double>(points_.size(), 0.0), false};
+    ElasticSurvey result{.stress = std::vector<double>(points_.size(), 0.0)};
     const bool has_preloads = std::ranges::any_of(solver_.assembly().pairs(),
                                                   [](const contact::Pair& pair) { return pair.preload.has_value(); });
     history_ = has_preloads ? solver_.initial_elastic_history() : solver_.new_history();
@@ -76,11 +77,25 @@ class Survey {
       const std::vector<double> stress = ErrorScale::typical(solver_.assembly(), equilibrium_);
       look_at_laws(stress, result);
       for (std::size_t b = 0; b < points_.size(); ++b) result.stress[b] = std::max(result.stress[b], stress[b]);
+      look_at_gaskets(result);
     }
     return result;
   }
 
  private:
+  void look_at_gaskets(ElasticSurvey& result) const {
+    const std::vector<double> strain = typical_gasket_strains(solver_.assembly(), equilibrium_);
+    result.gasket_strain.resize(strain.size());
+    std::ranges::transform(strain, result.gasket_strain, result.gasket_strain.begin(),
+                           [](double a, double b) { return std::max(a, b); });
+    const GasketCreep gaskets(solver_.assembly());
+    const std::vector<double> no_state(StateLayout(solver_.assembly()).n_gaskets());
+    const std::vector<double> min_strain(strain.size(), material::PointState{}.min_strain);
+    const Team& team = solver_.assembly().team();
+    result.singular_start =
+        result.singular_start || team.min(gaskets.start_exponent(0, equilibrium_, no_state, min_strain)) < 1;
+  }
+
   void look_at_laws(const std::vector<double>& stress, ElasticSurvey& result) const {
     const Team& team = solver_.assembly().team();
     std::string mistakes;

@@ -72,6 +72,8 @@ void EquilibriumSolver::solve(double t, CreepStrains creep, const History& histo
   resize(into);
   equilibrate_yielding(creep, history, {}, into);
   if (history.friction.slip.size() > 0) into.friction = slip_until(into, history);
+  into.largest_closure = history.gaskets.largest;
+  if (into.largest_closure.size() > 0) into.largest_closure = into.largest_closure.cwiseMax(into.contact.closure);
 }
 
 double EquilibriumSolver::yielding_excursion(double t, CreepStrains creep, const History& history) {
@@ -81,7 +83,7 @@ double EquilibriumSolver::yielding_excursion(double t, CreepStrains creep, const
   assembly_.update(t, at.conditions);
   resize(at);
   PlasticFlow flow(assembly_, history.plastic, t, at.conditions, options_.plastic_tolerance, false);
-  equilibrate(flow.strains(creep), history, history.contact, {}, at);
+  equilibrate({flow.strains(creep.bodies()), creep.closures()}, history, history.contact, {}, at);
   return flow.excursion(at);
 }
 
@@ -101,7 +103,7 @@ void EquilibriumSolver::equilibrate_yielding(CreepStrains creep, const History& 
                    growth.part);
   contact::ContactState from = history.contact;
   for (bool done = false; !done; from = into.contact) {
-    equilibrate(flow.strains(creep), history, from, growth, into);
+    equilibrate({flow.strains(creep.bodies()), creep.closures()}, history, from, growth, into);
     const auto lap = watch_.lap(Part::material);
     done = flow.advance(into);
   }
@@ -150,6 +152,14 @@ bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, cons
   return true;
 }
 
+std::vector<contact::ClosureCurve> EquilibriumSolver::gasket_curves(double t, const History& history,
+                                                                    double stiffness_scale) const {
+  std::vector<contact::ClosureCurve> curves = interface_.rows().gasket_curves(t, history.gaskets.largest);
+  if (stiffness_scale != 1)
+    for (contact::ClosureCurve& curve : curves) curve.scale(1 / stiffness_scale);
+  return curves;
+}
+
 contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const History& history, const Growth& growth,
                                                 const StiffnessChange& stiffness, Equilibrium& into) {
   const auto lap = watch_.lap(Part::material);
@@ -167,6 +177,9 @@ contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const Histor
     given.gap -= slip_advance_->reference({history.contact, history.friction}, into.time);
     given.friction.direction = history.friction.direction;
   }
+  if (!creep.closures().empty()) given.gap += interface_.rows().creep_gaps(creep.closures());
+  into.creep_closure.assign(creep.closures().begin(), creep.closures().end());
+  given.curves = gasket_curves(given.time, history, stiffness.scale);
   given.gap += interference_gaps(history.interference);
   if (history.reached.size() > 0) given.gap += history.reached;
   into.interference = history.interference;

@@ -66,7 +66,12 @@ EquilibriumSolver::~EquilibriumSolver() = default;
 
 std::unique_ptr<contact::ContactSolver> EquilibriumSolver::make_contact_solver() const {
   if (!interface_.flexibility().is_here()) return nullptr;
-  const contact::ContactProblem& problem = interface_.problem();
+  return contact::gasket_solver(
+      interface_.problem(), [this](const contact::ContactProblem& problem) { return make_contact_solver(problem); });
+}
+
+std::unique_ptr<contact::ContactSolver> EquilibriumSolver::make_contact_solver(
+    const contact::ContactProblem& problem) const {
   if (problem.has_friction()) {
     contact::FrictionOptions options{options_.friction, options_.schwarz};
     if (problem.large != nullptr) options.schwarz.acceleration = contact::SchwarzOptions::Acceleration::cg;
@@ -162,6 +167,7 @@ History EquilibriumSolver::new_history() const {
     friction.path.setZero(std::ssize(interface_.problem().nodes));
     friction.dissipated.assign(assembly_.pairs().size(), 0.0);
   }
+  if (interface_.problem().has_gaskets()) history.gaskets.largest.setZero(std::ssize(interface_.problem().nodes));
   return history;
 }
 

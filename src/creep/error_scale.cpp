@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "creepcontact/numerics/point_sums.hpp"
+#include "gasket_creep.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -13,7 +14,8 @@ constexpr double min_share_of_largest = 1e-2;  // of the most stressed body: oth
 constexpr double min_share_of_elastic = 1e-3;
 /// Scale relative to the change of a life per cycle: an error of half a per cent at a tolerance of 1e-4.
 constexpr double cycle_resolution = 50;
-constexpr double steady = 0.1;  // relative changes up to here leave the scale as it is
+constexpr double strain_of_unloaded_gaskets = 1e-3;  // where nothing is known of its pressures
+constexpr double steady = 0.1;                       // relative changes up to here leave the scale as it is
 
 /// Young's modulus at the first point, from the process that has it.
 double young_modulus(const Team& team, const mechanics::Body& body, const mechanics::BodyConditions& at) {
@@ -25,8 +27,14 @@ double young_modulus(const Team& team, const mechanics::Body& body, const mechan
 
 }  // namespace
 
-ErrorScale::ErrorScale(const Assembly& assembly, const std::vector<double>& elastic_stress)
-    : assembly_(assembly), layout_(assembly), strain_(assembly.bodies().size(), 0.0), values_(layout_.size(), 1.0) {
+ErrorScale::ErrorScale(const Assembly& assembly, const std::vector<double>& elastic_stress,
+                       const std::vector<double>& gasket_strain)
+    : assembly_(assembly),
+      layout_(assembly),
+      strain_(assembly.bodies().size(), 0.0),
+      gasket_strain_(assembly.pairs().size(), 0.0),
+      least_gasket_strain_(gasket_strain_),
+      values_(layout_.size(), 1.0) {
   for (std::size_t b = 0; b < strain_.size(); ++b) {
     std::size_t column = 6;
     for (const auto& law : assembly.bodies()[b].material().creep)
@@ -39,6 +47,11 @@ ErrorScale::ErrorScale(const Assembly& assembly, const std::vector<double>& elas
   for (std::size_t b = 0; b < strain_.size(); ++b)
     set(b, std::max(elastic_stress[b], min_share_of_largest * largest) /
                young_modulus(assembly.team(), assembly.bodies()[b], assembly.bodies()[b].at(0)));
+  for (std::size_t p = 0; p < gasket_strain.size(); ++p) {
+    least_gasket_strain_[p] = min_share_of_largest * gasket_strain[p];
+    if (gasket_stride(assembly.pairs()[p]) > 0)
+      set_gasket(p, gasket_strain[p] > 0 ? gasket_strain[p] : strain_of_unloaded_gaskets);
+  }
 }
 
 std::vector<double> ErrorScale::typical(const Assembly& assembly, const Equilibrium& at) {
@@ -66,6 +79,11 @@ void ErrorScale::follow(const Equilibrium& at) {
                        young_modulus(assembly_.team(), assembly_.bodies()[b], at.conditions[b]);
     if (std::abs(now - strain_[b]) > steady * strain_[b]) set(b, now);
   }
+  const std::vector<double> of_gaskets = typical_gasket_strains(assembly_, at);
+  for (std::size_t p = 0; p < of_gaskets.size(); ++p) {
+    const double now = std::max(of_gaskets[p], least_gasket_strain_[p]);
+    if (now > 0 && std::abs(now - gasket_strain_[p]) > steady * gasket_strain_[p]) set_gasket(p, now);
+  }
 }
 
 void ErrorScale::resolve_cycle(std::span<const double> change, double least) {
@@ -83,13 +101,16 @@ void ErrorScale::resolve_cycle(std::span<const double> change, double least) {
 
 void ErrorScale::save(Memory& memory) const {
   memory.save("scale.strain", strain_);
+  memory.save("scale.gaskets", gasket_strain_);
   memory.save("scale.lives", lives_);
 }
 
 void ErrorScale::restore(const Memory& memory) {
   memory.restore("scale.strain", strain_);
+  memory.restore("scale.gaskets", gasket_strain_);
   memory.restore("scale.lives", lives_);
   for (std::size_t b = 0; b < strain_.size(); ++b) set(b, strain_[b]);
+  for (std::size_t p = 0; p < gasket_strain_.size(); ++p) set_gasket(p, gasket_strain_[p]);
 }
 
 std::vector<double> ErrorScale::of_point(std::size_t body) const {
@@ -107,9 +128,25 @@ void ErrorScale::fill(std::size_t body, std::span<const double> of_point, std::v
 }
 
 std::vector<double> ErrorScale::of_whole_run() const {
-  std::vector<double> result(values_.size());
+  std::vector<double> result = values_;
   for (std::size_t b = 0; b < strain_.size(); ++b) fill(b, of_point(b), result);
   return result;
+}
+
+void ErrorScale::set_gasket(std::size_t pair, double strain) {
+  gasket_strain_[pair] = strain;
+  if (layout_.n_gaskets() == 0) return;  // none creeps, or another process has them
+  auto at = layout_.gaskets(std::span(values_)).begin();
+  for (std::size_t p = 0; p < assembly_.pairs().size(); ++p) {
+    const contact::Pair& other = assembly_.pairs()[p];
+    if (gasket_stride(other) == 0) continue;
+    std::vector<double> of_node{strain};
+    for (const auto& law : other.gasket->kind().creep->creep)
+      for (int k = 0; k < law->n_internal(); ++k)
+        of_node.push_back(law->internal_kind(k) == material::InternalKind::strain ? strain : 1.0);
+    for (std::size_t i = 0; i < other.coupling.nodes.size(); ++i)
+      at = p == pair ? std::ranges::copy(of_node, at).out : at + std::ssize(of_node);
+  }
 }
 
 void ErrorScale::set(std::size_t body, double strain) {

@@ -261,6 +261,8 @@ std::vector<PathPoint> FrictionFollower::follow(const Equilibrium& at, const His
                          ((1 - part) * begin.contact.multiplier + part * end.contact.multiplier) / scale(part);
       load.friction = interface_.rows().friction(t);
       load.idle = contact::idle_rows(interface_.pairs(), t);
+      load.curves = interface_.rows().gasket_curves(t, history.gaskets.largest);
+      for (contact::ClosureCurve& curve : load.curves) curve.scale(1 / scale(part));
       if (!course.is_straight()) {
         const LoadCourse::Deviation off = course.at(part);
         load.gap += off.gap;

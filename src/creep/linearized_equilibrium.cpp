@@ -1,6 +1,7 @@
 /// The equilibrium linearised at fixed contact: products with the Jacobian.
 
 #include <cmath>
+#include <utility>
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
@@ -17,12 +18,14 @@ constexpr double jacobian_error = 1e-3;  // where the solver is not direct, in t
 struct ClosedRows {
   contact::CondensedInterface& interface;
   const std::function<contact::ContactState(const Eigen::VectorXd& gap)> change;
-  FreeDisplacements reached;  ///< by an iteration, to which what is solved for adds; empty: none
+  const Eigen::VectorXd opening;  ///< of gaskets, at constant pressure; empty: none
+  FreeDisplacements reached;      ///< by an iteration, to which what is solved for adds; empty: none
 
   void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) const {
     interface.flexibility().add_trace(body, y, gap);
   }
   contact::ContactState close(Eigen::VectorXd gap) const {
+    if (opening.size() > 0) gap += opening;
     for (std::size_t b = 0; b < reached.size(); ++b) interface.rows().add_gaps(b, reached[b], gap);
     // Initial strains are in equilibrium with themselves: no resultants.
     return change(gap);
@@ -34,19 +37,20 @@ struct ClosedRows {
 
 }  // namespace
 
-void EquilibriumSolver::linearized(const Equilibrium& at, CreepStrains creep_change,
-                                   std::vector<std::vector<double>>& stress) {
-  linearized_elastic(at, creep_change, stress);
-  if (!at.plastic.flows) return;
+Eigen::VectorXd EquilibriumSolver::linearized(const Equilibrium& at, CreepStrains creep_change,
+                                              std::vector<std::vector<double>>& stress) {
+  Eigen::VectorXd multiplier = linearized_elastic(at, creep_change, stress);
+  if (!at.plastic.flows) return multiplier;
   const PlasticTangent tangent(assembly_, at);
-  if (tangent.is_elastic()) return;
+  if (tangent.is_elastic()) return multiplier;
   tangent.add_flow(stress, [&](CreepStrains strain, std::vector<std::vector<double>>& change) {
     linearized_elastic(at, strain, change);
   });
+  return multiplier;
 }
 
-void EquilibriumSolver::linearized_elastic(const Equilibrium& at, CreepStrains creep_change,
-                                           std::vector<std::vector<double>>& stress) {
+Eigen::VectorXd EquilibriumSolver::linearized_elastic(const Equilibrium& at, CreepStrains creep_change,
+                                                      std::vector<std::vector<double>>& stress) {
   const std::size_t n_bodies = work_.size();
   std::vector<FactoredSide> sides;
   {
@@ -58,12 +62,16 @@ void EquilibriumSolver::linearized_elastic(const Equilibrium& at, CreepStrains c
       sides.push_back({&factored.solver(), work_[b].free});
     }
   }
-  ClosedRows rows{interface_, [&](const Eigen::VectorXd& gap) { return contact_change(at.contact, gap); }, {}};
+  ClosedRows rows{interface_,
+                  [&](const Eigen::VectorXd& gap) { return contact_change(at.contact, gap); },
+                  interface_.rows().creep_gaps(creep_change.closures()),
+                  {}};
+  Eigen::VectorXd multiplier;
   stress.resize(n_bodies);
   // A fixed number of them: all of it stays linear in the creep strains.
   const int corrections = solver_error_ > 0 ? static_cast<int>(std::log(jacobian_error) / std::log(solver_error_)) : 0;
   for (int correction = 0;; ++correction) {
-    const contact::ContactState change = fixed_contact_solve(sides, interface_.n_rows(), rows, watch_);
+    contact::ContactState change = fixed_contact_solve(sides, interface_.n_rows(), rows, watch_);
     ++counters_.elastic_solves;
     const auto lap = watch_.lap(Part::material);
     for (std::size_t b = 0; b < n_bodies; ++b) {
@@ -76,6 +84,7 @@ void EquilibriumSolver::linearized_elastic(const Equilibrium& at, CreepStrains c
       stress[b].resize(6 * body.discretization().n_points());
       body.discretization().stress(work_[b].displacement, factored.elastic(), creep_change[b], stress[b]);
     }
+    multiplier = std::move(change.multiplier);
     if (correction == corrections) break;
     rows.reached.resize(n_bodies);
     for (std::size_t b = 0; b < n_bodies; ++b) {
@@ -87,6 +96,7 @@ void EquilibriumSolver::linearized_elastic(const Equilibrium& at, CreepStrains c
   if (at.stiffness_scale != 1)
     for (std::vector<double>& of_body : stress)
       for (double& component : of_body) component *= at.stiffness_scale;
+  return at.stiffness_scale * multiplier;
 }
 
 }  // namespace creepcontact::creep

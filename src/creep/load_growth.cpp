@@ -53,6 +53,8 @@ void begin_path(History& history) {
     history.friction.rate.setZero();
     history.friction.is_fresh = true;
   }
+  history.gaskets.time = 0;
+  history.gaskets.begin_segment();
   history.plastic.time = 0;
   history.plastic.before.clear();
   for (PlasticState& body : history.plastic.bodies) body.rate.clear();
@@ -117,7 +119,7 @@ History EquilibriumSolver::initial_elastic_history(int substeps) {
   History history = new_history();
   const bool has_friction = interface_.problem().has_friction();
   const std::vector<std::size_t> preloads = preloads_due(0, history);
-  if (!has_friction && preloads.empty()) return history;
+  if (!has_friction && preloads.empty() && !interface_.problem().has_gaskets()) return history;
   Equilibrium at;
   assembly_.update(0, at.conditions);
   if (stiffness_change(assembly_, interface_, at.conditions).rest > 0) refactorize(at.conditions);
@@ -135,6 +137,7 @@ History EquilibriumSolver::initial_elastic_history(int substeps) {
     load.work *= part;
     load.force *= part;
     load.friction.direction = history.friction.direction;
+    load.curves = gasket_curves(0, history, 1);
     const auto solve = [&](const History& trial) -> const Equilibrium& {
       contact::InterfaceLoad with_interference = load;
       with_interference.gap += interference_gaps(trial.interference);
@@ -156,6 +159,7 @@ void EquilibriumSolver::take_part(double part, const std::vector<std::size_t>& p
   else
     find_interference(preloads, part, history, solve);
   if (history.friction.slip.size() > 0) history.friction = slip_until(at, history);
+  history.gaskets.advance(at.time, at.contact.closure);
   history.contact = at.contact;
 }
 

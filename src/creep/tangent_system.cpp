@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/ode/system.hpp"
 #include "fixed_contact_solve.hpp"
+#include "gasket_creep.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -15,13 +17,14 @@ namespace {
 struct TangentContact {
   contact::TangentInterface& interface;
   const contact::ContactState& at;
+  const Eigen::VectorXd& opening;  ///< of gaskets, at constant pressure
 
   void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) const {
     interface.add_trace(body, y, gap);
   }
   contact::ContactState close(const Eigen::VectorXd& gap) const {
     try {
-      return interface.close(at, gap);
+      return interface.close(at, gap + opening);
     } catch (const SolverError& error) {
       throw RecoverableError(error.what());
     }
@@ -34,8 +37,8 @@ struct TangentContact {
 }  // namespace
 
 TangentSystem::TangentSystem(const EquilibriumSolver& solver, const std::vector<MaterialPoints>& points,
-                             const StateLayout& layout, Stopwatch& watch)
-    : solver_(solver), layout_(layout), watch_(watch), sides_(points.size()) {
+                             const GasketCreep& gaskets, const StateLayout& layout, Stopwatch& watch)
+    : solver_(solver), gaskets_(gaskets), layout_(layout), watch_(watch), sides_(points.size()) {
   for (std::size_t b = 0; b < sides_.size(); ++b) {
     const mechanics::Body& body = solver.assembly().bodies()[b];
     if (points[b].empty()) continue;
@@ -64,8 +67,12 @@ void TangentSystem::factorize(std::size_t b) {
   }
 }
 
-void TangentSystem::prepare(double gamma, std::span<const PointsState> at, double stiffness_scale) {
+void TangentSystem::prepare(double gamma, std::span<const PointsState> at, std::vector<Eigen::MatrixXd> of_gaskets,
+                            double stiffness_scale) {
   interface_.reset();
+  gamma_ = gamma;
+  of_gaskets_ = std::move(of_gaskets);
+  stiffness_scale_ = stiffness_scale;
   std::vector<const linalg::StiffnessSolver*> factors(sides_.size());
   for (std::size_t b = 0; b < sides_.size(); ++b) {
     if (!sides_[b].material) continue;
@@ -101,7 +108,11 @@ void TangentSystem::solve(const contact::ContactState& contact, std::span<const 
       sides[b] = {side.factor.get(), side.free};
     });
   }
-  TangentContact rows{*interface_, contact};
+  const GasketCreep::Eliminated gaskets =
+      gaskets_.eliminated(of_gaskets_, gamma_, layout_.gaskets(r), interface_->n_rows());
+  contact::ContactState near = contact;
+  if (near.compliance.size() > 0) near.compliance = near.compliance / stiffness_scale_ + gaskets.compliance;
+  TangentContact rows{*interface_, near, gaskets.opening};
   const contact::ContactState change = fixed_contact_solve(sides, interface_->n_rows(), rows, watch_);
   const auto lap = watch_.lap(Part::material);
   for_each_side([&](std::size_t b, Side& side, const mechanics::Body& body) {
@@ -110,6 +121,7 @@ void TangentSystem::solve(const contact::ContactState& contact, std::span<const 
     body.discretization().tangent_strain(side.displacement, side.material->moduli(), side.stress, side.strain);
     side.material->solution(layout_.part(b, r), side.strain, layout_.part(b, z));
   });
+  gaskets_.solution(of_gaskets_, gamma_, layout_.gaskets(r), change.multiplier, layout_.gaskets(z));
   ++solves_;
 }
 

@@ -110,12 +110,14 @@ class FunctionSearch {
       }
     }
     settle_turns(result.events, most);
-    if (result.events.vibrates && yields()) stop_at_turns(result);
+    if (result.events.vibrates && keeps_extremes()) stop_at_turns(result);
   }
 
-  bool yields() const {
-    return std::ranges::any_of(bodies_,
-                               [](const mechanics::Body& body) { return body.material().plasticity != nullptr; });
+  /// Whether something keeps the largest value of what acts on it.
+  bool keeps_extremes() const {
+    return !config_.gaskets.empty() || std::ranges::any_of(bodies_, [](const mechanics::Body& body) {
+      return body.material().plasticity != nullptr;
+    });
   }
 
   /// What flows plastically keeps what a turn has made of it: all turns of one place, however many.

@@ -136,9 +136,14 @@ Model build_model(const config::Config& config) {
   for (const config::Load& load : config.loads)
     errors.collect(load.location, [&] { add_load(load, config, whole, meshes, bodies); });
   add_rigid_loads(config, links, bodies, errors);
+  GasketKinds gaskets;
+  for (const config::Gasket& gasket : config.gaskets)
+    errors.collect(gasket.location, [&] { gaskets[gasket.name] = make_gasket(gasket); });
+  errors.raise();
   std::vector<contact::Pair> pairs;
   for (const config::Contact& contact : config.contacts)
-    errors.collect(contact.location, [&] { pairs.push_back(make_pair(contact, config, bodies, temperature, {})); });
+    errors.collect(contact.location,
+                   [&] { pairs.push_back(make_pair(contact, config, bodies, temperature, gaskets, {})); });
   errors.raise();
   for (std::size_t p = 0; p < pairs.size(); ++p)
     errors.collect(config.contacts[p].location, [&] {
@@ -159,7 +164,7 @@ Model build_model(const config::Config& config) {
   if (temperature) warn_of_positions_outside(config, bodies, *temperature);
   // Motions that nothing but facets would hold (a ring turning on its shaft) are left free exactly.
   const auto remake = [&](const Bodies& all, std::size_t pair, std::span<const mechanics::RigidMotion> sliding) {
-    return make_pair(config.contacts[pair], config, all, temperature, sliding);
+    return make_pair(config.contacts[pair], config, all, temperature, gaskets, sliding);
   };
   std::optional<LoadCycles> cycles;
   if (config.time.cycle) cycles.emplace(config, changing_values(functions), times);

@@ -55,6 +55,12 @@ std::shared_ptr<const material::Plasticity> make_plasticity(const config::Plasti
   return std::make_shared<material::Plasticity>(std::move(curves), std::move(back));
 }
 
+std::shared_ptr<const material::CreepLaw> make_creep_law(const config::CreepMechanism& from) {
+  std::map<std::string, std::vector<Function>> values;
+  for (const config::CreepParameter& parameter : from.parameters) values[parameter.key] = parameter.values;
+  return material::find_creep_law(from.law)->make_by_key(values);
+}
+
 material::Material make_material(const config::Material& from) {
   material::Material result;
   result.name = from.name;
@@ -78,11 +84,7 @@ material::Material make_material(const config::Material& from) {
   else
     result.thermal_expansion = alpha.front();
   result.reference_temperature = from.reference_temperature.value_or(0);
-  for (const config::CreepMechanism& mechanism : from.creep) {
-    std::map<std::string, std::vector<Function>> values;
-    for (const config::CreepParameter& parameter : mechanism.parameters) values[parameter.key] = parameter.values;
-    result.creep.push_back(material::find_creep_law(mechanism.law)->make_by_key(values));
-  }
+  for (const config::CreepMechanism& mechanism : from.creep) result.creep.push_back(make_creep_law(mechanism));
   result.yield_strength = from.yield_strength;
   if (from.plasticity) result.plasticity = make_plasticity(*from.plasticity);
   const auto life = from.rupture ? make_life_fraction(*from.rupture) : nullptr;
@@ -254,8 +256,29 @@ std::vector<mechanics::Support> make_supports(const config::Support& support, co
   return result;
 }
 
+namespace {
+
+/// Whether the surfaces are drawn at the thickness of the gasket, not touching.
+/// @throws ModelError if neither, where the gap is not measured
+bool has_room_for(const contact::GasketKind& gasket, const config::Contact& contact,
+                  const contact::MortarCoupling& coupling) {
+  constexpr double same = 0.05;  // of the thickness
+  const double thickness = gasket.law.thickness();
+  double distance = 0;
+  for (const double one : coupling.gap_distances) distance += one / static_cast<double>(coupling.gap_distances.size());
+  if (contact.geometric_gap || !contact.gap.is_zero() || std::abs(distance) <= same * thickness ||
+      std::abs(distance - thickness) <= same * thickness)
+    return distance > thickness / 2;
+  throw ModelError(fmt::format(
+      "gasket '{}' is {:.6g} thick, but the surfaces '{}' and '{}' are drawn {:.6g} apart; draw them at its thickness "
+      "or touching, or say by 'gap' how far they are from the uncompressed gasket",
+      gasket.name, thickness, contact.between[0].name, contact.between[1].name, distance));
+}
+
+}  // namespace
+
 contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Bodies& bodies,
-                        const std::optional<mechanics::TemperatureField>& temperature,
+                        const std::optional<mechanics::TemperatureField>& temperature, const GasketKinds& gaskets,
                         std::span<const mechanics::RigidMotion> sliding) {
   const std::array<std::size_t, 2> body = contact_bodies(
       contact, config, {bodies_with(bodies, contact.between[0].name), bodies_with(bodies, contact.between[1].name)});
@@ -287,10 +310,17 @@ contact::Pair make_pair(const config::Contact& contact, const config::Config& co
   pair.gap = contact.gap;
   if (contact.preload) pair.preload = {contact.preload->force, contact.preload->time};
   pair.geometric_gap = contact.geometric_gap;
+  std::vector<Vector3> positions;
+  for (const contact::MultiplierNode& node : pair.coupling.nodes)
+    positions.push_back(surfaces[slave].mesh->nodes[node.node]);
+  if (contact.gasket.given()) {
+    const auto& kind = gaskets.at(contact.gasket.name);
+    if (has_room_for(*kind, contact, pair.coupling))
+      pair.coupling.geometric_gap -= pair.coupling.on_rows(
+          kind->law.thickness() * Eigen::Map<const Eigen::VectorXd>(pair.coupling.area.data(), std::ssize(positions)));
+    pair.gasket = std::make_shared<const contact::Gasket>(kind, temperature, positions);
+  }
   if (pair.coupling.has_friction()) {
-    std::vector<Vector3> positions;
-    for (const contact::MultiplierNode& node : pair.coupling.nodes)
-      positions.push_back(surfaces[slave].mesh->nodes[node.node]);
     pair.friction = {contact.friction, temperature, std::move(positions)};
     pair.friction.at(0);  // an error here names the contact's place in the configuration
   }

@@ -61,10 +61,18 @@ void append_equations(const config::Config& config, const mesh::Mesh& whole, con
 void add_load(const config::Load& load, const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
               Bodies& bodies);
 
+std::shared_ptr<const material::CreepLaw> make_creep_law(const config::CreepMechanism& from);
+
+/// Gaskets by their names.
+using GasketKinds = std::map<std::string, std::shared_ptr<const contact::GasketKind>>;
+/// @throws ModelError naming the points of a curve that is not possible
+std::shared_ptr<const contact::GasketKind> make_gasket(const config::Gasket& from);
+
 /// The surfaces are on bodies (check_groups).
+/// @param gaskets  all of the configuration
 /// @param sliding  relative motions that the pair leaves free exactly
 contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Bodies& bodies,
-                        const std::optional<mechanics::TemperatureField>& temperature,
+                        const std::optional<mechanics::TemperatureField>& temperature, const GasketKinds& gaskets,
                         std::span<const mechanics::RigidMotion> sliding);
 
 /// Discontinuities in time of every function of the configuration and the times at which it turns back, the points of

@@ -23,10 +23,18 @@ ContactValues mean(std::initializer_list<ContactValues> values) {
     sum.traction += value.traction;
     sum.shear += value.shear;
     sum.slip += value.slip;
+    sum.closure += value.closure;
+    sum.largest_closure += value.largest_closure;
+    sum.creep_closure += value.creep_closure;
     sum.status = std::max(sum.status, value.status);
   }
   const auto n = static_cast<double>(values.size());
-  return {sum.pressure / n, sum.gap / n, sum.traction / n, sum.shear / n, sum.slip / n, sum.status};
+  for (double ContactValues::*const part :
+       {&ContactValues::pressure, &ContactValues::gap, &ContactValues::shear, &ContactValues::slip,
+        &ContactValues::closure, &ContactValues::largest_closure, &ContactValues::creep_closure})
+    sum.*part /= n;
+  sum.traction /= n;
+  return sum;
 }
 
 /// Multipliers are linear on triangles and bilinear on quadrilaterals: means of corners at the nodes between them.
@@ -42,12 +50,17 @@ bool has_friction(const creep::Equilibrium& at) {
   return at.friction.slip.size() > 0;
 }
 
+bool is_in(AtMultipliers::In models, const creep::Equilibrium& at) {
+  if (models == AtMultipliers::In::with_friction) return has_friction(at);
+  return models == AtMultipliers::In::all || at.largest_closure.size() > 0;
+}
+
 /// The output variables of contact surfaces that the files of this model have.
 std::vector<const OutputVariable*> variables_of(const creep::Equilibrium& at) {
   std::vector<const OutputVariable*> found;
   for (const OutputVariable& variable : output_variables()) {
     const auto* multipliers = std::get_if<AtMultipliers>(&variable.support);
-    if (multipliers != nullptr && (!multipliers->with_friction_only || has_friction(at))) found.push_back(&variable);
+    if (multipliers != nullptr && is_in(multipliers->models, at)) found.push_back(&variable);
   }
   return found;
 }
@@ -131,7 +144,8 @@ std::vector<io::FieldData> ContactSurfaces::point_arrays(const creep::Equilibriu
   bool has_traction = !has_friction(at);
   for (const OutputVariable* variable : variables_of(at)) {
     const auto& multipliers = std::get<AtMultipliers>(variable->support);
-    if (multipliers.with_friction_only && !std::exchange(has_traction, true)) arrays.push_back(std::move(traction));
+    if (multipliers.models == AtMultipliers::In::with_friction && !std::exchange(has_traction, true))
+      arrays.push_back(std::move(traction));
     io::FieldData& array = arrays.emplace_back(io::FieldData{variable->name, 1, {}});
     for (const ContactValues& here : all) array.values.push_back(here.*multipliers.value);
   }

@@ -12,7 +12,24 @@ namespace {
 
 constexpr double at_the_limit = 1 - 1e-6;  // of mu times the pressure
 
+double open_gap(const contact::Pair& pair, std::size_t node, const creep::Equilibrium& at) {
+  const double gap = at.gaps[pair.first_row + pair.coupling.row(node)] / pair.coupling.area[node];
+  if (!pair.gasket) return gap;
+  if (contact::is_closed(pair, node, at.contact)) return 0;
+  const double largest = at.largest_closure[pair.first_node + static_cast<Index>(node)];
+  return gap + pair.gasket->kind().law.curve(largest, pair.gasket->temperatures(at.time)[node]).begin();
+}
+
 }  // namespace
+
+Eigen::VectorXd open_gaps(const contact::Pair& pair, const creep::Equilibrium& at) {
+  Eigen::VectorXd gaps(std::ssize(pair.coupling.nodes));
+  for (Index i = 0; i < gaps.size(); ++i) {
+    const auto node = static_cast<std::size_t>(i);
+    gaps[i] = pair.coupling.area[node] * open_gap(pair, node, at);
+  }
+  return gaps;
+}
 
 ContactValues contact_values(const contact::Pair& pair, std::size_t node, const creep::Equilibrium& at) {
   using contact::ContactStatus;
@@ -24,8 +41,14 @@ ContactValues contact_values(const contact::Pair& pair, std::size_t node, const 
   const Vector3 shear = coupling.shear(node, multiplier);
   result.traction = -(result.pressure * coupling.nodes[node].normal + shear);
   result.shear = shear.norm();
-  if (!tied) result.gap = at.gaps[pair.first_row + coupling.row(node)] / coupling.area[node];
   const auto number = pair.first_node + static_cast<Index>(node);
+  if (!tied) result.gap = open_gap(pair, node, at);
+  if (pair.gasket) {
+    result.creep_closure = at.creep_closure.empty() ? 0 : at.creep_closure[static_cast<std::size_t>(number)];
+    result.closure = result.creep_closure - at.gaps[pair.first_row + coupling.row(node)] / coupling.area[node] +
+                     pair.gasket->growth(at.time)[node];
+    result.largest_closure = at.largest_closure[number];
+  }
   ContactStatus status = contact::is_closed(pair, node, at.contact) ? ContactStatus::slip : ContactStatus::open;
   if (tied) status = ContactStatus::stick;
   if (coupling.has_friction()) {

@@ -172,17 +172,31 @@ std::vector<OutputVariable> make_variables() {
                  .description = "magnitude of the tangential traction in contact; the same on both surfaces of a pair",
                  .label = "contact shear",
                  .dimension = Dimension::stress,
-                 .support = AtMultipliers{&ContactValues::shear, true}});
+                 .support = AtMultipliers{&ContactValues::shear, AtMultipliers::In::with_friction}});
   all.push_back({.name = "slip",
                  .description = "accumulated slip of contacts with friction: length of the path along which the "
                                 "surfaces have slid while in contact",
                  .label = "slip",
                  .dimension = Dimension::length,
-                 .support = AtMultipliers{&ContactValues::slip, true}});
+                 .support = AtMultipliers{&ContactValues::slip, AtMultipliers::In::with_friction}});
   all.push_back({.name = "contact_status",
                  .description = "0: open, 1: sticks, 2: slips (always, where there is no friction)",
                  .label = "contact status",
-                 .support = AtMultipliers{&ContactValues::status, true, false}});
+                 .support = AtMultipliers{&ContactValues::status, AtMultipliers::In::with_friction, false}});
+  const auto of_gaskets = [&](const char* name, const char* label, double ContactValues::*value,
+                              const char* description) {
+    all.push_back({.name = name,
+                   .description = description,
+                   .label = label,
+                   .dimension = Dimension::length,
+                   .support = AtMultipliers{value, AtMultipliers::In::with_gaskets, false}});
+  };
+  of_gaskets("closure", "closure", &ContactValues::closure,
+             "by how much the surfaces compress a gasket, creep included; negative where they are apart");
+  of_gaskets("closure_max", "largest closure", &ContactValues::largest_closure,
+             "largest closure of a gasket so far without creep, from which it unloads");
+  of_gaskets("creep_closure", "closure by creep", &ContactValues::creep_closure,
+             "part of the closure of a gasket that is creep");
   all.push_back({.name = "contact_area",
                  .description = "area in contact; its edge is located between the nodes",
                  .label = "contact area",

@@ -14,11 +14,6 @@
 namespace creepcontact::results {
 namespace {
 
-/// Values in normal rows only, one per multiplier node.
-Eigen::VectorXd of_nodes(const contact::Pair& pair, const Eigen::VectorXd& all_rows) {
-  return pair.coupling.first_rows(all_rows.segment(pair.first_row, pair.coupling.n_rows()));
-}
-
 class AreaProbe final : public Probe {
  public:
   AreaProbe(std::vector<ContactPart> sides, const model::Model& model) : sides_(std::move(sides)) {
@@ -37,7 +32,7 @@ class AreaProbe final : public Probe {
         sum += shares.dot(Eigen::Map<const Eigen::VectorXd>(pair.coupling.area.data(), shares.size()));
       else
         sum += shares.dot(areas_[i].of_nodes(contact::closed_nodes(pair, snapshot.equilibrium().contact),
-                                             of_nodes(pair, snapshot.equilibrium().gaps)));
+                                             open_gaps(pair, snapshot.equilibrium())));
     }
     return sum;
   }

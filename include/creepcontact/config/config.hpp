@@ -265,6 +265,42 @@ struct Preload {
   double time = 0;  ///< at which it is applied
 };
 
+/// A measured curve of a gasket.
+struct GasketCurve {
+  std::optional<double> T;  ///< temperature; needed if there are several
+  std::vector<double> closure, pressure;
+};
+
+/// [gaskets.<name>.unloading]: straight lines, or curves
+struct GasketUnloading {
+  std::optional<double> T;
+  std::vector<double> from, modulus;  ///< pressures at which unloading begins, and the moduli from there
+  std::vector<GasketCurve> curves;
+};
+
+/// [gaskets.<name>.relaxation]: P_QR of EN 13555 with the rig in which it was measured
+struct GasketRelaxation {
+  double factor = 0;     ///< residual over initial pressure
+  double pressure = 0;   ///< initial
+  double stiffness = 0;  ///< of the rig [force/length]
+  double area = 0;       ///< of the gasket that was tested
+  double time = 0;       ///< of the test
+  double n = 5;          ///< exponent of the pressure, which P_QR does not tell
+};
+
+/// [gaskets.<name>]
+struct Gasket {
+  std::string name;
+  double thickness = 0;
+  std::vector<GasketCurve> loading;        ///< by ascending T
+  std::vector<GasketUnloading> unloading;  ///< one for all, or one per curve of `loading`; empty: as loading
+  Function thermal_expansion = 0.0;        ///< of T, through the thickness
+  std::optional<double> reference_temperature;
+  std::vector<CreepMechanism> creep;
+  std::optional<GasketRelaxation> relaxation;
+  Location location;
+};
+
 /// [[contacts]]
 struct Contact {
   std::string name;                  ///< default: "<first surface>-<second surface>"
@@ -274,6 +310,7 @@ struct Contact {
   bool geometric_gap = false;  ///< gap = "geometric": measured from the meshes
   Function gap = 0.0;          ///< initial normal distance; negative: interference
   std::optional<Preload> preload;
+  Reference gasket;         ///< between the surfaces
   Function friction = 0.0;  ///< coefficient of friction, of x, y, z, t, T
   Location location;
 };
@@ -411,6 +448,7 @@ struct Config {
   std::vector<Load> loads;
   GeneralizedPlaneStrain generalized_plane_strain;
   std::optional<Temperature> temperature;
+  std::vector<Gasket> gaskets;
   std::vector<Contact> contacts;
   std::vector<Cyclic> cyclic;
   std::vector<Rigid> rigid;

@@ -20,6 +20,7 @@ struct InterfaceLoad {
   Eigen::VectorXd force;  ///< per rigid-body mode: sum of the absolute external forces on its body, the scale of `work`
   Friction friction = {};  ///< empty unless the problem has friction
   double time = 0;
+  std::vector<ClosureCurve> curves = {};  ///< of gaskets, see ContactLoad::curves
 };
 
 /// The contact rows of all pairs on the dofs of the bodies. Constant after construction.
@@ -48,6 +49,10 @@ class InterfaceRows {
   InterfaceLoad initial_load(double t, Conditions at) const;
   /// Coefficients of friction; empty unless the problem has friction. @throws ModelError as initial_load()
   Friction friction(double t) const;
+  /// What closures by creep open, on all rows. @param closures  per node of the contact problem; empty: no rows
+  Eigen::VectorXd creep_gaps(std::span<const double> closures) const;
+  /// Laws of the gaskets at time t, as ContactLoad::curves. @param largest  GasketHistory::largest
+  std::vector<ClosureCurve> gasket_curves(double t, const Eigen::VectorXd& largest) const;
   /// Weighted distances of the surfaces at t = 0 before loads and interference are applied (n_rows): the given gaps,
   /// with each pair whose surfaces overlap moved apart until they just touch.
   Eigen::VectorXd unloaded_gap() const;

@@ -34,7 +34,7 @@ class Assembly {
   const std::vector<contact::Pair>& pairs() const { return pairs_; }
   const contact::RigidBodyModes& rigid_body_modes() const { return rigid_body_modes_; }
   const Team& team() const { return *team_; }
-  /// True if at least one material creeps.
+  /// True if at least one material or gasket creeps.
   bool creeps() const;
 
   /// Conditions at time t, one per body in the order of bodies(). Collective: all members of the team must call it.

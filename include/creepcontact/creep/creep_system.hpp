@@ -1,6 +1,7 @@
 #pragma once
-/// Creep of all bodies as a differential equation dy/dt = f(t, y). y holds the creep strains and internal variables of
-/// all integration points; f(t, y) holds the rates of the creep laws at the stress of the elastic contact equilibrium.
+/// Creep of all bodies and gaskets as a differential equation dy/dt = f(t, y). y holds the creep strains and internal
+/// variables of all integration points and gasket nodes; f(t, y) holds the rates of the creep laws at the stress of the
+/// elastic contact equilibrium.
 
 #include <limits>
 #include <memory>
@@ -23,6 +24,8 @@
 #include "creepcontact/ode/system.hpp"
 
 namespace creepcontact::creep {
+
+class GasketCreep;
 
 /// The creep rate as the integrators see it. It is a pure function of (t, y) and the history of accepted steps:
 /// evaluations for outputs (evaluate_output) never change what the steps compute. One thread at a time.
@@ -132,9 +135,10 @@ class CreepSystem final : public ode::System,
   void restore(const Memory& memory);
   const History& history() const { return history_; }
   bool has_friction() const { return history_.friction.slip.size() > 0; }
+  bool has_gaskets() const { return history_.gaskets.largest.size() > 0; }
   bool has_yielding() const { return !history_.plastic.bodies.empty(); }
   /// True if states depend on the accepted ones before them, beyond what the differential equation has of them.
-  bool depends_on_path() const { return has_friction() || has_yielding(); }
+  bool depends_on_path() const { return has_friction() || has_yielding() || has_gaskets(); }
   /// Sets the state from which the integration continues. Call it after restore() and begin_segment(), with that
   /// memory.
   /// @throws RecoverableError if no equilibrium is found
@@ -168,6 +172,10 @@ class CreepSystem final : public ode::System,
 
  private:
   void solve(double t, std::span<const double> y, Evaluation& into);
+  /// The creep strains in y, or in a change of it; valid until the next call.
+  CreepStrains strains(std::span<const double> y);
+  /// What the gaskets are preconditioned with: F + compliance per row.
+  Eigen::VectorXd gasket_flexibility() const;
   bool is_at(double t, std::span<const double> y, const Evaluation& of) const;
   bool is_near(double t, std::span<const double> y, const Evaluation& of) const;
   /// The time at which the loads are evaluated for t: t moved inside the segment of begin_segment().
@@ -201,6 +209,10 @@ class CreepSystem final : public ode::System,
   bool rate_has_jumped_ = false;  // in the last accept()
   Evaluation step_, output_;      // each identified by its (time, y)
   std::vector<mechanics::CreepStrainView> views_;
+  std::unique_ptr<GasketCreep> gaskets_;
+  std::vector<double> closures_;
+  std::vector<double> min_gasket_strains_;         // per pair, material::PointState::min_strain
+  std::vector<Eigen::MatrixXd> gasket_jacobians_;  // of prepare_preconditioner()
   std::vector<std::vector<double>> stress_change_;
   std::int64_t rate_evaluations_ = 0, jacobian_products_ = 0;
 };

@@ -14,8 +14,9 @@ double just_after(double t);
 
 /// Result of survey_elastic_stress().
 struct ElasticSurvey {
-  std::vector<double> stress;   ///< per body, the largest typical stress (ErrorScale::typical); empty: no body creeps
-  bool singular_start = false;  ///< true if the rate of some law is infinite at first under such a stress
+  std::vector<double> stress;  ///< per body, the largest typical stress (ErrorScale::typical); empty: no body creeps
+  std::vector<double> gasket_strain = {};  ///< per pair, the largest of typical_gasket_strains()
+  bool singular_start = false;             ///< true if the rate of some law is infinite at first under such a stress
 };
 
 /// Solves for the elastic stress at the start, at the end and on both sides of each breakpoint. If it is zero at all

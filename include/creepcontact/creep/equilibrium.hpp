@@ -2,10 +2,12 @@
 /// The result of one elastic solve, and the history of accepted steps that later solves start from: plain values.
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "creepcontact/base/memory.hpp"
+#include "creepcontact/contact/gasket.hpp"
 #include "creepcontact/contact/solver/problem.hpp"
 #include "creepcontact/mechanics/body_conditions.hpp"
 
@@ -15,6 +17,26 @@ namespace creepcontact::creep {
 struct BodyState {
   std::vector<double> displacement;  ///< 3 n_nodes
   std::vector<double> stress;        ///< n_points x 6, Mandel order
+};
+
+/// Creep strains of all bodies, and closures of creeping gaskets. Refers to values of the caller.
+class CreepStrains {
+ public:
+  // NOLINTBEGIN(google-explicit-constructor): without creeping gaskets the views are all
+  CreepStrains(std::span<const mechanics::CreepStrainView> bodies, std::span<const double> closures = {})
+      : bodies_(bodies), closures_(closures) {}
+  CreepStrains(const std::vector<mechanics::CreepStrainView>& bodies) : bodies_(bodies) {}
+  // NOLINTEND(google-explicit-constructor)
+
+  const mechanics::CreepStrainView& operator[](std::size_t body) const { return bodies_[body]; }
+  std::size_t size() const { return bodies_.size(); }
+  std::span<const mechanics::CreepStrainView> bodies() const { return bodies_; }  ///< one per body
+  /// By creep, per node of the contact problem [length]; empty: none.
+  std::span<const double> closures() const { return closures_; }
+
+ private:
+  std::span<const mechanics::CreepStrainView> bodies_;
+  std::span<const double> closures_;
 };
 
 /// Displacements of all bodies on their free dofs, n_free each; a body without numbers: u = 0.
@@ -101,13 +123,16 @@ struct Equilibrium {
   std::vector<BodyState> bodies;
   contact::ContactState contact;  ///< multipliers (contact pressures), rigid-body modes, rows in contact (ascending)
   /// Weighted gaps of all contact rows; in tangential rows the slip since the history that the solve started from.
+  /// With gaskets: from their faces, as thin as they have become by creep.
   Eigen::VectorXd gaps;
-  std::vector<double> interference;  ///< of preloaded contacts, per pair; zero for others
-  SlipHistory friction;              ///< what the history becomes if this is accepted; empty without friction
-  PlasticHistory plastic;            ///< likewise; empty if no material yields
-  double stiffness_scale = 1;        ///< s: stiffness at this time relative to that of the factors
-  FreeDisplacements displacements;   ///< empty unless the stiffness changes in time
-  std::int64_t factors = 0;          ///< number of the factorisation with which they were found
+  std::vector<double> interference;   ///< of preloaded contacts, per pair; zero for others
+  SlipHistory friction;               ///< what the history becomes if this is accepted; empty without friction
+  PlasticHistory plastic;             ///< likewise; empty if no material yields
+  Eigen::VectorXd largest_closure;    ///< GasketHistory::largest if this is accepted; empty without gaskets
+  std::vector<double> creep_closure;  ///< of gaskets, that it was solved with: CreepStrains::closures()
+  double stiffness_scale = 1;         ///< s: stiffness at this time relative to that of the factors
+  FreeDisplacements displacements;    ///< empty unless the stiffness changes in time
+  std::int64_t factors = 0;           ///< number of the factorisation with which they were found
 };
 
 /// What evaluations depend on in addition to their arguments. Only accepted steps change it, and checkpoints store it.
@@ -115,6 +140,7 @@ struct History {
   contact::ContactState contact;     ///< of the last accepted step; contact iterations start from it
   SlipHistory friction;              ///< empty vectors without friction
   PlasticHistory plastic;            ///< empty: nothing yields
+  contact::GasketHistory gaskets;    ///< empty: there are none
   std::vector<double> interference;  ///< that preloads have been given, per pair
   /// Weighted gaps that rows of relative pairs had when they began to act, negative; empty if there are none.
   Eigen::VectorXd reached;
@@ -129,11 +155,15 @@ struct History {
   };
   std::vector<Accepted> accepted;         ///< the last two steps, latest first; only if the stiffness changes in time
   std::vector<std::int64_t> set_changes;  ///< per pair: accepted steps at which its set of closed rows changed
-  static constexpr auto members =
-      std::tuple{Member{"contact", &History::contact},   Member{"friction", &History::friction},
-                 Member{"plastic", &History::plastic},   Member{"interference", &History::interference},
-                 Member{"reached", &History::reached},   Member{"preloaded_until", &History::preloaded_until},
-                 Member{"accepted", &History::accepted}, Member{"set_changes", &History::set_changes}};
+  static constexpr auto members = std::tuple{Member{"contact", &History::contact},
+                                             Member{"friction", &History::friction},
+                                             Member{"plastic", &History::plastic},
+                                             Member{"gaskets", &History::gaskets},
+                                             Member{"interference", &History::interference},
+                                             Member{"reached", &History::reached},
+                                             Member{"preloaded_until", &History::preloaded_until},
+                                             Member{"accepted", &History::accepted},
+                                             Member{"set_changes", &History::set_changes}};
 };
 
 /// A part of the path of an accepted step.

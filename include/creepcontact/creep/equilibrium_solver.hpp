@@ -51,7 +51,7 @@ struct SolverOptions {
 /// assembly concurrently.
 class EquilibriumSolver {
  public:
-  using CreepStrains = std::span<const mechanics::CreepStrainView>;  // one per body
+  using CreepStrains = creep::CreepStrains;
 
   /// Factors all bodies at t = 0. @param assembly, watch  must outlive the object
   /// @param admit  see CondensedInterface @throws ModelError as the constructor of CondensedInterface
@@ -59,7 +59,7 @@ class EquilibriumSolver {
                     const contact::CondensedInterface::Admission& admit = {});
   ~EquilibriumSolver();
 
-  /// Equilibrium at time t for these creep strains (one view per body). A pure function of its arguments: to the last
+  /// Equilibrium at time t for these creep strains. A pure function of its arguments: to the last
   /// bit if the stiffness is constant in time, the solver direct, and nothing yields. Otherwise to the tolerances.
   /// @throws SolverError if the contact iteration does not converge; ModelError if the loads push away a body that only
   /// contact holds, or drive an unconstrained motion
@@ -76,9 +76,10 @@ class EquilibriumSolver {
   /// moduli of the factors times stiffness_scale, with a relative error of at most q. Strains that cause no stress
   /// still cause none, and a Newton iteration converges linearly with the factor q. Points that flow go on to
   /// (PlasticTangent).
-  /// @param stress  one per body, n_points x 6. Cost: one forward and one back substitution per body; some more where
-  /// points flow
-  void linearized(const Equilibrium& at, CreepStrains creep_change, std::vector<std::vector<double>>& stress);
+  /// @param stress  one per body, n_points x 6. @returns the change of the multipliers, without that by flow
+  /// Cost: one forward and one back substitution per body; some more where points flow
+  Eigen::VectorXd linearized(const Equilibrium& at, CreepStrains creep_change,
+                             std::vector<std::vector<double>>& stress);
 
   /// An empty history for this assembly, in which nothing yields.
   History new_history() const;
@@ -151,6 +152,9 @@ class EquilibriumSolver {
                     const contact::CondensedInterface::Admission& admit,
                     const std::vector<mechanics::BodyConditions>& at_start);
   std::unique_ptr<contact::ContactSolver> make_contact_solver() const;
+  std::unique_ptr<contact::ContactSolver> make_contact_solver(const contact::ContactProblem& problem) const;
+  /// Laws of the gaskets, for pressures on the stiffness of the factors.
+  std::vector<contact::ClosureCurve> gasket_curves(double t, const History& history, double stiffness_scale) const;
   std::unique_ptr<FrictionFollower> make_friction_follower();
   /// Factors the stiffness of these conditions, which becomes K0.
   void refactorize(const std::vector<mechanics::BodyConditions>& at);
@@ -200,7 +204,8 @@ class EquilibriumSolver {
   FlowPath follow_flow(const Equilibrium& at, CreepStrains creep, std::optional<double> error, const History& from,
                        const PathOptions& options);
   /// linearized() of elastic bodies.
-  void linearized_elastic(const Equilibrium& at, CreepStrains creep_change, std::vector<std::vector<double>>& stress);
+  Eigen::VectorXd linearized_elastic(const Equilibrium& at, CreepStrains creep_change,
+                                     std::vector<std::vector<double>>& stress);
   /// Sets the space of the results.
   void resize(Equilibrium& into) const;
   /// One elastic solve. @returns change of the displacement in the energy norm

@@ -19,7 +19,9 @@ class ErrorScale {
   /// @param elastic_stress  per body, the largest typical stress that the loads of the run cause without creep
   /// (ElasticSurvey::stress); not all zero, or empty if nothing creeps. No body counts as stressed by less than 1 % of
   /// the largest.
-  ErrorScale(const Assembly& assembly, const std::vector<double>& elastic_stress);
+  /// @param gasket_strain  per pair, ElasticSurvey::gasket_strain; or empty
+  ErrorScale(const Assembly& assembly, const std::vector<double>& elastic_stress,
+             const std::vector<double>& gasket_strain = {});
 
   /// Typical stress per body: root mean square of the von Mises stress over its points. Collective.
   static std::vector<double> typical(const Assembly& assembly, const Equilibrium& at);
@@ -38,6 +40,8 @@ class ErrorScale {
   std::span<const double> values() const { return values_; }
   /// Scale of the creep strain per body.
   const std::vector<double>& strain() const { return strain_; }
+  /// Scale of the strain of gaskets, per pair; 0 where none creeps.
+  const std::vector<double>& gasket_strain() const { return gasket_strain_; }
   /// Saves the complete state.
   void save(Memory& memory) const;
   /// Inverse of save(). @throws std::out_of_range if an entry is missing
@@ -47,6 +51,7 @@ class ErrorScale {
 
  private:
   void set(std::size_t body, double strain);
+  void set_gasket(std::size_t pair, double strain);
   /// One entry per state variable of a point, without what cycles have made of it.
   std::vector<double> of_point(std::size_t body) const;
   void fill(std::size_t body, std::span<const double> of_point, std::vector<double>& values) const;
@@ -54,7 +59,8 @@ class ErrorScale {
   const Assembly& assembly_;
   StateLayout layout_;
   double least_ = 0;
-  std::vector<double> strain_;  // per body
+  std::vector<double> strain_;                               // per body
+  std::vector<double> gasket_strain_, least_gasket_strain_;  // per pair
   /// A state variable that counts life.
   struct Life {
     std::size_t body, column;

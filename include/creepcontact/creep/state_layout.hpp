@@ -9,12 +9,20 @@
 namespace creepcontact::creep {
 
 /// Body after body, in each body point after point: creep strain (6, Mandel order), then the internal variables of its
-/// laws in their order. Elastic bodies have no entries.
+/// laws in their order. Elastic bodies have no entries. Then creeping gaskets, pair after pair, node after node: creep
+/// strain (closure over thickness), then the internal variables of its laws; all of them on the process that solves
+/// contact.
 class StateLayout {
  public:
   explicit StateLayout(const Assembly& assembly);
 
-  std::size_t size() const { return offset_.back(); }
+  std::size_t size() const { return offset_.back() + n_gaskets_; }
+  std::size_t n_gaskets() const { return n_gaskets_; }
+  /// The part of y that belongs to gaskets, n_gaskets().
+  template <typename Number>
+  std::span<Number> gaskets(std::span<Number> y) const {
+    return y.subspan(offset_.back(), n_gaskets_);
+  }
   /// First entry of a body in y.
   std::size_t offset(std::size_t body) const { return offset_[body]; }
   /// Entries per point; 0 for an elastic body.
@@ -31,8 +39,12 @@ class StateLayout {
   void views(std::span<const double> y, std::vector<mechanics::CreepStrainView>& result) const;
 
  private:
-  std::vector<std::size_t> offset_{0};  // of every body, then the total size
+  std::vector<std::size_t> offset_{0};  // of every body, then the end of the last one
+  std::size_t n_gaskets_ = 0;
   std::vector<std::size_t> stride_;
 };
+
+/// State variables per node of a pair whose gasket creeps; else 0.
+std::size_t gasket_stride(const contact::Pair& pair);
 
 }  // namespace creepcontact::creep

@@ -15,20 +15,24 @@
 
 namespace creepcontact::creep {
 
+class GasketCreep;
+
 /// One object per CreepSystem; holds the last factorisation. Use from one thread at a time.
 class TangentSystem {
  public:
-  /// @param solver (with dense contact), points (one per body), layout, watch  must outlive the object
+  /// @param solver (with dense contact), points (one per body), gaskets, layout, watch  must outlive the object
   /// Memory per body that creeps: a second factor, second interface matrices, and stride (stride + 6) + 36 numbers per
   /// point.
-  TangentSystem(const EquilibriumSolver& solver, const std::vector<MaterialPoints>& points, const StateLayout& layout,
-                Stopwatch& watch);
+  TangentSystem(const EquilibriumSolver& solver, const std::vector<MaterialPoints>& points, const GasketCreep& gaskets,
+                const StateLayout& layout, Stopwatch& watch);
 
   /// Assembles and factors the system.
-  /// @param at  one per body @param stiffness_scale  Equilibrium::stiffness_scale
+  /// @param at  one per body @param of_gaskets  GasketCreep::jacobians()
+  /// @param stiffness_scale  Equilibrium::stiffness_scale
   /// @throws RecoverableError if a tangent stiffness is not positive definite
   /// Cost: per body that creeps an assembly, a factorisation and a condensation of the contact rows.
-  void prepare(double gamma, std::span<const PointsState> at, double stiffness_scale);
+  void prepare(double gamma, std::span<const PointsState> at, std::vector<Eigen::MatrixXd> of_gaskets,
+               double stiffness_scale);
   /// Solves for z with the system last prepared, but with the closed rows and the friction of this state: with those of
   /// earlier steps, a Newton iteration would not converge where the contact grows. Cost: as an elastic solve.
   /// @param r, z  of size StateLayout::size() @throws RecoverableError if the contact rows contradict each other
@@ -52,8 +56,11 @@ class TangentSystem {
   void for_each_side(const Work& work);
 
   const EquilibriumSolver& solver_;
+  const GasketCreep& gaskets_;
   const StateLayout& layout_;
   Stopwatch& watch_;
+  double gamma_ = 0, stiffness_scale_ = 1;
+  std::vector<Eigen::MatrixXd> of_gaskets_;
   std::vector<Side> sides_;
   std::unique_ptr<contact::TangentInterface> interface_;
   std::int64_t solves_ = 0, factorizations_ = 0;

@@ -12,11 +12,16 @@ namespace creepcontact::results {
 struct ContactValues {
   double pressure = 0;
   double gap = 0;
-  Vector3 traction = Vector3::Zero();  ///< on the slave body
-  double shear = 0;                    ///< magnitude of the tangential traction
-  double slip = 0;                     ///< accumulated [length]; 0 without friction
-  double status = 0;                   ///< 0: open, 1: stick, 2: slip (a closed contact without friction slips)
+  Vector3 traction = Vector3::Zero();                          ///< on the slave body
+  double shear = 0;                                            ///< magnitude of the tangential traction
+  double slip = 0;                                             ///< accumulated [length]; 0 without friction
+  double closure = 0, largest_closure = 0, creep_closure = 0;  ///< of a gasket; see the quantities
+  double status = 0;  ///< 0: open, 1: stick, 2: slip (a closed contact without friction slips)
 };
+
+/// Distances of the surfaces at all nodes, weighted by their areas; with a gasket those from it as it is left, zero
+/// where it is pressed.
+Eigen::VectorXd open_gaps(const contact::Pair& pair, const creep::Equilibrium& at);
 
 ContactValues contact_values(const contact::Pair& pair, std::size_t node, const creep::Equilibrium& at);
 

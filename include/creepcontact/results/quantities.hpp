@@ -35,8 +35,9 @@ struct AtMultipliers {
   static constexpr std::string_view places = "contact surface";
   static constexpr bool is_sum = false;
   double ContactValues::*value;
-  bool with_friction_only = false;  ///< in the field files only if the model has friction
-  bool in_body_files = true;        ///< also in the field files of bodies
+  /// Which models have it in the field files.
+  enum class In { all, with_friction, with_gaskets } models = In::all;
+  bool in_body_files = true;  ///< also in the field files of bodies
 };
 
 /// Force and moment on a part of a body.

@@ -18,7 +18,11 @@ void append(const RowMatrix& from, int first_target, std::vector<Eigen::Triplet<
 
 Eigen::VectorXd Pair::initial_gap(double t) const {
   if (gap_per_value.size() > 0) return gap({.t = t}) * gap_per_value;
-  return geometric_gap ? coupling.geometric_gap : coupling.given_gap(gap, t);
+  Eigen::VectorXd gaps = geometric_gap ? coupling.geometric_gap : coupling.given_gap(gap, t);
+  if (!gasket) return gaps;
+  const std::vector<double> growth = gasket->growth(t);
+  for (std::size_t i = 0; i < growth.size(); ++i) gaps[coupling.row(i)] -= coupling.area[i] * growth[i];
+  return gaps;
 }
 
 Eigen::VectorXd Pair::interference_gap() const {

@@ -14,7 +14,9 @@ ActiveSet::ActiveSet(const ContactProblem& problem, std::vector<int> active)
       diagonal_(row_flexibility(problem)(active_)),
       copied_(!problem.large &&
               static_cast<double>(active_.size()) < nearly_all * static_cast<double>(problem.n_rows())) {
-  if (copied_) flexibility_ = problem.total(active_, active_);
+  if (!copied_) return;
+  flexibility_ = problem.flexibility()(active_, active_);
+  flexibility_.diagonal() += problem.compliance_on(active_);
 }
 
 Eigen::VectorXd ActiveSet::gaps(const Eigen::VectorXd& multiplier) const {

@@ -30,7 +30,8 @@ constexpr double change_tolerance = 1e-9;
 
 void ActiveSetSystem::factorize(const std::vector<int>& active) {
   factored_ = false;
-  Eigen::MatrixXd flexibility = problem_.total(active, active);
+  Eigen::MatrixXd flexibility = problem_.flexibility()(active, active);
+  flexibility.diagonal() += problem_.compliance_on(active);
   if (problem_.n_motions() > 0) {
     motions_ = problem_.rigid(active, Eigen::all);
     fixing_flexibility_ = fixing_flexibility(problem_);
@@ -47,11 +48,22 @@ void ActiveSetSystem::factorize(const std::vector<int>& active) {
   factored_ = true;
 }
 
+/// The same for one compliance of gaskets.
+struct ActiveSetSystem::WithGaskets {
+  WithGaskets(const ContactProblem& of, const Eigen::VectorXd& compliance, double tolerance, const StopRequest& stop)
+      : problem(ContactProblem::with_compliance(of, compliance)), system(problem, tolerance) {
+    system.set_stop(stop);
+  }
+  ContactProblem problem;
+  ActiveSetSystem system;
+};
+
 ActiveSetSystem::ActiveSetSystem(const ContactProblem& problem, double tolerance)
     : problem_(problem), tolerance_(tolerance) {}
 ActiveSetSystem::~ActiveSetSystem() = default;
 
 void ActiveSetSystem::flexibility_changed() {
+  gaskets_.reset();
   friction_.reset();
   factored_ = false;
   cg_.reset();
@@ -60,6 +72,7 @@ void ActiveSetSystem::flexibility_changed() {
 void ActiveSetSystem::set_stop(const StopRequest& stop) {
   stop_ = stop;
   if (friction_) friction_->set_stop(stop);
+  if (gaskets_) gaskets_->system.set_stop(stop);
 }
 
 ActiveSetSolution ActiveSetSystem::solve(const std::vector<int>& active, const ContactLoad& load) {
@@ -76,6 +89,13 @@ ActiveSetSolution ActiveSetSystem::solve(const std::vector<int>& active, const C
 }
 
 ContactState ActiveSetSystem::solve_change(const ContactState& at, const Eigen::VectorXd& gap) {
+  if (at.compliance.size() == 0) return change(at, gap);
+  if (!gaskets_ || gaskets_->problem.compliance != at.compliance)
+    gaskets_ = std::make_unique<WithGaskets>(problem_, at.compliance, tolerance_, stop_);
+  return gaskets_->system.change(at, gap);
+}
+
+ContactState ActiveSetSystem::change(const ContactState& at, const Eigen::VectorXd& gap) {
   if (at.nodes.empty()) return solve(at.active, {gap, {}}).state;
   if (!friction_) {
     friction_ = std::make_unique<FrictionSystem>(problem_);

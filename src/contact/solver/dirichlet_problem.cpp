@@ -14,8 +14,9 @@ constexpr double singular = 1e-9;  // reciprocal condition
 }  // namespace
 
 DirichletProblem::DirichletProblem(const ContactProblem& problem, std::size_t body, const std::vector<int>& own,
-                                   IfSingular if_singular) {
-  Eigen::MatrixXd flexibility = problem.bodies[body].matrix(own, own);
+                                   const Eigen::VectorXd& compliance, IfSingular if_singular) {
+  Eigen::MatrixXd flexibility = problem.of_bodies()[body].matrix(own, own);
+  flexibility.diagonal() += compliance;
   Eigen::MatrixXd basis(flexibility.rows(), 0);
   if (problem.n_motions() > 0) {
     Eigen::MatrixXd right;
@@ -56,7 +57,7 @@ Eigen::VectorXd DirichletProblem::stiffness() const {
 
 OwnRows own_rows(const ContactProblem& problem, std::size_t body, const std::vector<int>& set) {
   OwnRows result;
-  const std::vector<int>& rows = problem.bodies[body].rows;
+  const std::vector<int>& rows = problem.of_bodies()[body].rows;
   for (std::size_t k = 0; k < set.size(); ++k) {
     const auto found = std::lower_bound(rows.begin(), rows.end(), set[k]);
     if (found == rows.end() || *found != set[k]) continue;

@@ -15,10 +15,11 @@ class DirichletProblem {
   /// What is_regular() == false is for: an object that is then discarded, or the least multipliers.
   enum class IfSingular { nothing, least_multipliers };
   /// @param own  rows, as indices into the body's flexibility
+  /// @param compliance  per row, of a layer on the body's surface, which is part of F
   /// Cost: a Cholesky factorisation; for least multipliers where F is singular, an eigendecomposition, which takes some
   /// hundred times as long.
   DirichletProblem(const ContactProblem& problem, std::size_t body, const std::vector<int>& own,
-                   IfSingular if_singular = IfSingular::least_multipliers);
+                   const Eigen::VectorXd& compliance, IfSingular if_singular = IfSingular::least_multipliers);
 
   /// False if the body's flexibility is singular on these rows: a body held there, or finer traces than it has
   /// unknowns. The multipliers are then the least ones, F^-1 a pseudo-inverse.

@@ -22,7 +22,8 @@ FrictionSplitting::FrictionSplitting(const FrictionRows& rows, double scale)
       weight_[row] = scale * (is_tangential ? rows.tangents(i).flexibility : rows.flexibility(row));
     }
   }
-  Eigen::MatrixXd matrix = problem.total;
+  Eigen::MatrixXd matrix = problem.flexibility();
+  if (problem.compliance.size() > 0) matrix.diagonal() += problem.compliance;
   matrix.diagonal() += weight_;
   if (problem.n_motions() > 0) matrix.noalias() += fixing_flexibility_ * problem.rigid * problem.rigid.transpose();
   factor_.compute(matrix);

@@ -186,7 +186,8 @@ class FrictionSystem::Factor {
     columns_.setFromTriplets(columns.begin(), columns.end());
     equations_.resize(n, problem.n_rows());
     equations_.setFromTriplets(equations.begin(), equations.end());
-    Eigen::MatrixXd matrix = equations_ * (problem.total * columns_);
+    Eigen::MatrixXd matrix = equations_ * (problem.flexibility() * columns_);
+    if (problem.compliance.size() > 0) matrix += equations_ * problem.compliance.asDiagonal() * columns_;
     if (rows.spring() > 0)
       matrix.noalias() +=
           (equations_ * problem.rigid) * (columns_.transpose() * problem.rigid).transpose() / rows.spring();
@@ -261,7 +262,7 @@ Inverse FrictionSystem::approximate_inverse(const Linearization& at) const {
     for (int row = own.first_row; row < own.first_row + own.n_rows; ++row)
       if (rows_.is_movable(row)) closed.push_back(row);
   }
-  std::shared_ptr<Preconditioner> inner = problem_.large->preconditioner(closed);
+  std::shared_ptr<Preconditioner> inner = problem_.large->preconditioner(closed, problem_.compliance_on(closed));
   return [this, at, closed, inner](const Eigen::VectorXd& right) {
     Eigen::VectorXd result = right;
     for (Index row = 0; row < result.size(); ++row) result[row] /= rows_.flexibility(static_cast<int>(row));

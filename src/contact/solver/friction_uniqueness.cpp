@@ -22,7 +22,8 @@ std::optional<double> friction_kappa(const ContactProblem& problem, const Fricti
       if (rows.is_movable(node.first_row + k)) normal.push_back(node.first_row + k);
   }
   if (tangential.empty()) return std::nullopt;
-  Eigen::MatrixXd pressing = problem.total(normal, normal), change = problem.total(normal, tangential);
+  Eigen::MatrixXd pressing = problem.flexibility()(normal, normal), change = problem.flexibility()(normal, tangential);
+  pressing.diagonal() += problem.compliance_on(normal);
   if (rows.spring() > 0) {
     const Eigen::MatrixXd rigid = problem.rigid(normal, Eigen::all);
     pressing.noalias() += rigid * rigid.transpose() / rows.spring();

@@ -26,6 +26,15 @@ bool ContactProblem::has_friction() const {
   return std::ranges::any_of(nodes, [](const ContactNode& node) { return node.set == AdmissibleSet::cone; });
 }
 
+bool ContactProblem::has_gaskets() const {
+  return std::ranges::any_of(nodes, [](const ContactNode& node) { return node.has_gasket(); });
+}
+
+Eigen::VectorXd ContactProblem::compliance_on(const std::vector<int>& rows) const {
+  if (compliance.size() == 0) return Eigen::VectorXd::Zero(std::ssize(rows));
+  return compliance(rows);
+}
+
 void ContactProblem::add_node(AdmissibleSet set, int n_rows, int slave_body, int master_body) {
   nodes.push_back({set, static_cast<int>(node_of_row.size()), n_rows, slave_body, master_body});
   node_of_row.insert(node_of_row.end(), n_rows, static_cast<int>(nodes.size()) - 1);
@@ -38,13 +47,29 @@ ContactProblem ContactProblem::with_nodes_of(const ContactProblem& other) {
   return result;
 }
 
+ContactProblem ContactProblem::with_compliance(const ContactProblem& owner, Eigen::VectorXd compliance) {
+  ContactProblem result = with_nodes_of(owner);
+  result.large = owner.large;
+  result.rigid = owner.rigid;
+  result.rigid_of_body = owner.rigid_of_body;
+  result.compliance = std::move(compliance);
+  result.owner = &owner;
+  return result;
+}
+
 Eigen::VectorXd flexibility_product(const ContactProblem& problem, const Eigen::VectorXd& multiplier) {
-  if (problem.large) return problem.large->gaps(multiplier);
-  return problem.total.selfadjointView<Eigen::Lower>() * multiplier;
+  Eigen::VectorXd gaps = problem.large
+                             ? problem.large->gaps(multiplier)
+                             : Eigen::VectorXd(problem.flexibility().selfadjointView<Eigen::Lower>() * multiplier);
+  if (problem.compliance.size() > 0) gaps += problem.compliance.cwiseProduct(multiplier);
+  return gaps;
 }
 
 Eigen::VectorXd flexibility_diagonal(const ContactProblem& problem) {
-  return problem.large ? problem.large->diagonal() : Eigen::VectorXd(problem.total.diagonal());
+  Eigen::VectorXd diagonal =
+      problem.large ? problem.large->diagonal() : Eigen::VectorXd(problem.flexibility().diagonal());
+  if (problem.compliance.size() > 0) diagonal += problem.compliance;
+  return diagonal;
 }
 
 Eigen::VectorXd contact_gaps(const ContactProblem& problem, const ContactLoad& load, const ContactState& state) {
@@ -70,8 +95,10 @@ std::vector<int> immovable_rows(const ContactProblem& problem) {
   const Eigen::VectorXd flexibility = row_flexibility(problem);
   const double least = min_flexibility(flexibility);
   std::vector<int> rows;
-  for (int i = 0; i < problem.n_rows(); ++i)
-    if (!(flexibility[i] > least)) rows.push_back(i);
+  for (int i = 0; i < problem.n_rows(); ++i) {
+    const bool gives_way = problem.node(i).has_gasket() && i == problem.node(i).first_row;
+    if (!(flexibility[i] > least) && !gives_way) rows.push_back(i);
+  }
   return rows;
 }
 

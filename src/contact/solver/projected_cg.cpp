@@ -16,7 +16,7 @@ constexpr double negligible = 1e-6;
 
 ProjectedCg::ProjectedCg(const ContactProblem& problem, const SchwarzOptions& options, std::vector<int> active)
     : options_(options), set_(problem, std::move(active)) {
-  if (problem.large) large_ = problem.large->preconditioner(set_.active());
+  if (problem.large) large_ = problem.large->preconditioner(set_.active(), problem.compliance_on(set_.active()));
   if (!large_) add_blocks(problem);
   const Eigen::MatrixXd& motions = balance().basis();
   if (motions.cols() == 0) return;
@@ -28,13 +28,15 @@ ProjectedCg::ProjectedCg(const ContactProblem& problem, const SchwarzOptions& op
 
 bool ProjectedCg::add_block(const ContactProblem& problem, std::size_t body, std::vector<int>& positions) {
   if (positions.empty()) return true;
-  const std::vector<int>& rows = problem.bodies[body].rows;
-  std::vector<int> own;
+  const std::vector<int>& rows = problem.of_bodies()[body].rows;
+  std::vector<int> own, in_set;
   for (const int position : positions) {
     const int row = set_.active()[position];
+    in_set.push_back(row);
     own.push_back(static_cast<int>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin()));
   }
-  auto dirichlet = std::make_unique<DirichletProblem>(problem, body, own, DirichletProblem::IfSingular::nothing);
+  auto dirichlet = std::make_unique<DirichletProblem>(problem, body, own, problem.compliance_on(in_set),
+                                                      DirichletProblem::IfSingular::nothing);
   if (!dirichlet->is_regular()) return false;
   blocks_.push_back({std::move(positions), std::move(dirichlet)});
   positions.clear();
@@ -47,7 +49,7 @@ void ProjectedCg::add_blocks(const ContactProblem& problem) {
     const ContactNode& node = problem.node(set_.active()[k]);
     pairs[{node.slave_body, node.master_body}].push_back(static_cast<int>(k));
   }
-  std::vector<std::vector<int>> of_slave(problem.bodies.size());
+  std::vector<std::vector<int>> of_slave(problem.of_bodies().size());
   for (auto& [pair, positions] : pairs) {
     const std::size_t slave = pair.first, master = pair.second;
     const bool master_is_softer =
@@ -55,7 +57,7 @@ void ProjectedCg::add_blocks(const ContactProblem& problem) {
     if (master_is_softer && add_block(problem, master, positions)) continue;
     of_slave[slave].insert(of_slave[slave].end(), positions.begin(), positions.end());
   }
-  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
+  for (std::size_t b = 0; b < problem.of_bodies().size(); ++b) {
     std::sort(of_slave[b].begin(), of_slave[b].end());
     // A slave held in part has no stiffness of its own to invert.
     if (!add_block(problem, b, of_slave[b])) loose_.insert(loose_.end(), of_slave[b].begin(), of_slave[b].end());
@@ -64,12 +66,12 @@ void ProjectedCg::add_blocks(const ContactProblem& problem) {
 
 double ProjectedCg::flexibility_on(const ContactProblem& problem, std::size_t body,
                                    const std::vector<int>& positions) const {
-  const std::vector<int>& rows = problem.bodies[body].rows;
+  const std::vector<int>& rows = problem.of_bodies()[body].rows;
   double sum = 0;
   for (const int position : positions) {
     const auto found = std::lower_bound(rows.begin(), rows.end(), set_.active()[position]);
     const auto own = found - rows.begin();
-    sum += problem.bodies[body].matrix(own, own);
+    sum += problem.of_bodies()[body].matrix(own, own);
   }
   return sum;
 }

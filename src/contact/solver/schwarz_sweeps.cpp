@@ -23,23 +23,27 @@ SchwarzSweeps::SchwarzSweeps(const ContactProblem& problem, const SchwarzOptions
     : options_(options), set_(problem, std::move(active)) {
   std::vector<std::size_t> bodies;
   Index offset = 0;
-  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
+  for (std::size_t b = 0; b < problem.of_bodies().size(); ++b) {
     OwnRows rows = own_rows(problem, b, set_.active());
     if (rows.own.empty()) continue;
     const Index size = rows.own.size();
+    Eigen::VectorXd sign(size), layer = Eigen::VectorXd::Zero(size);  // a gasket is part of the slave
+    for (Index k = 0; k < size; ++k) {
+      const int row = set_.active()[rows.positions[k]];
+      sign[k] = problem.node(row).slave_body == static_cast<int>(b) ? 1.0 : -1.0;
+      if (sign[k] > 0 && problem.compliance.size() > 0) layer[k] = problem.compliance[row];
+    }
+    Eigen::MatrixXd flexibility = problem.of_bodies()[b].matrix(rows.own, rows.own);
+    flexibility.diagonal() += layer;
     Share share{std::move(rows.positions),
-                problem.bodies[b].matrix(rows.own, rows.own),
-                DirichletProblem(problem, b, rows.own),
+                std::move(flexibility),
+                DirichletProblem(problem, b, rows.own, layer),
                 Eigen::MatrixXd(size, 0),
                 {},
                 {},
-                Eigen::VectorXd(size),
+                std::move(sign),
                 offset};
     if (problem.n_motions() > 0) share.rigid = problem.rigid_of_body[b](rows.own, Eigen::all);
-    for (Index k = 0; k < size; ++k) {
-      const int row = set_.active()[share.positions[k]];
-      share.sign[k] = problem.node(row).slave_body == static_cast<int>(b) ? 1.0 : -1.0;
-    }
     offset += size;
     shares_.push_back(std::move(share));
     bodies.push_back(b);

@@ -17,8 +17,9 @@ class SpringRegularization::HeldOperator final : public FlexibilityOperator {
     return problem_.large->gaps(multiplier) + problem_.rigid * motion;
   }
   const Eigen::VectorXd& diagonal() const override { return diagonal_; }
-  std::unique_ptr<Preconditioner> preconditioner(const std::vector<int>& set) const override {
-    return problem_.large->preconditioner(set);
+  std::unique_ptr<Preconditioner> preconditioner(const std::vector<int>& set,
+                                                 const Eigen::VectorXd& compliance) const override {
+    return problem_.large->preconditioner(set, compliance);
   }
 
  private:
@@ -44,8 +45,9 @@ SpringRegularization::SpringRegularization(const ContactProblem& problem, const 
     operator_ = std::make_unique<HeldOperator>(problem, compliance_);
     held_.large = operator_.get();
   } else {
-    held_.total = problem.total + problem.rigid * compliance_.asDiagonal() * problem.rigid.transpose();
+    held_.total = problem.flexibility() + problem.rigid * compliance_.asDiagonal() * problem.rigid.transpose();
   }
+  held_.compliance = problem.compliance;
   solver_ = active_set_solver(held_);
   solver_->set_stop(stop);
 }

@@ -1,6 +1,7 @@
 #include "unit/contact/problems.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "creepcontact/base/index.hpp"
@@ -43,6 +44,30 @@ ContactProblem chain(int n_pairs, int rows_per_pair, double stiffness_ratio, std
   return problem;
 }
 
+void expect_on_curve(const contact::ContactNode& node, const contact::ClosureCurve& curve, double gap, double pressure,
+                     double error) {
+  const double closure = -gap / node.gasket_area;
+  // Where the curve is steep a small error of the closure is a large one of the pressure.
+  const contact::ClosureCurve::Line line = curve.line(closure);
+  EXPECT_NEAR(curve.pressure(closure), pressure, error * std::max(1.0, line.slope));
+}
+
+ContactLoad add_gaskets(ContactProblem& problem, std::mt19937& generator, double stiffness, double share) {
+  std::uniform_real_distribution<double> uniform;
+  ContactLoad load;
+  for (contact::ContactNode& node : problem.nodes) {
+    load.curves.emplace_back();
+    if (node.set == contact::AdmissibleSet::space || uniform(generator) >= share) continue;
+    node.gasket_area = 0.5 + uniform(generator);
+    std::vector<Eigen::Vector2d> points{{uniform(generator) - 0.5, 0}};
+    for (int k = 0; k < 6; ++k)
+      points.emplace_back(points.back().x() + 0.05 + 0.3 * uniform(generator),
+                          points.back().y() + stiffness * std::pow(10, 2 * uniform(generator) - 1));
+    load.curves.back() = contact::ClosureCurve(std::move(points));
+  }
+  return load;
+}
+
 void expect_solved(const ContactProblem& problem, const ContactLoad& load, const ContactState& state,
                    double tolerance) {
   const Eigen::VectorXd& multiplier = state.multiplier;
@@ -52,7 +77,10 @@ void expect_solved(const ContactProblem& problem, const ContactLoad& load, const
   const Eigen::VectorXd flexibility = contact::row_flexibility(problem);
   for (int i = 0; i < problem.n_rows(); ++i) {
     const double opening = gap[i] / flexibility[i];
-    if (problem.node(i).set == contact::AdmissibleSet::space)
+    if (problem.node(i).has_gasket())
+      expect_on_curve(problem.node(i), load.curves[static_cast<std::size_t>(problem.node_of_row[i])], gap[i],
+                      multiplier[i], error);
+    else if (problem.node(i).set == contact::AdmissibleSet::space)
       EXPECT_NEAR(opening, 0, error);
     else
       EXPECT_NEAR(std::min(multiplier[i], opening), 0, error);
@@ -99,17 +127,20 @@ void expect_friction_solved(const ContactProblem& problem, const ContactLoad& lo
       continue;
     }
     const int normal = node.first_row;
+    if (node.has_gasket()) expect_on_curve(node, load.curves[i], gap[normal], state.multiplier[normal], error);
     std::vector<int> tangential;  // along which the node can move
     for (int row = normal + 1; row < normal + node.n_rows; ++row)
       if (flexibility[row] > 1e-13 * flexibility.maxCoeff()) tangential.push_back(row);
     if (!(flexibility[normal] > 1e-13 * flexibility.maxCoeff())) continue;  // held on both sides
-    EXPECT_NEAR(std::min(state.multiplier[normal], gap[normal] / flexibility[normal]), 0, error);
+    if (!node.has_gasket())
+      EXPECT_NEAR(std::min(state.multiplier[normal], gap[normal] / flexibility[normal]), 0, error);
     if (tangential.empty()) continue;
     const Eigen::VectorXd tau = state.multiplier(tangential);
     const Eigen::VectorXd slip = gap(tangential) / flexibility(tangential).mean();
     const double bound = load.friction.coefficient[static_cast<Index>(i)] * state.multiplier[normal];
     EXPECT_LE(tau.norm(), bound + error);
-    if (gap[normal] / flexibility[normal] > error) continue;  // open: free to slide
+    if (node.has_gasket() ? state.multiplier[normal] <= error : gap[normal] / flexibility[normal] > error)
+      continue;  // open: free to slide
     if (tau.norm() < bound - error) {
       EXPECT_LE(slip.norm(), error);
     }

@@ -20,6 +20,13 @@ Eigen::MatrixXd random_flexibility(int n, std::mt19937& generator, double scale)
 ContactProblem chain(int n_pairs, int rows_per_pair, double stiffness_ratio, std::mt19937& generator,
                      int n_floating = 0);
 
+/// Gives some unilateral nodes gaskets with toes, plateaus and stiff pieces. @returns a load with the curves alone
+/// @param stiffness  about, of their pieces @param share  of the nodes
+ContactLoad add_gaskets(ContactProblem& problem, std::mt19937& generator, double stiffness, double share);
+/// @param error  of the pressure
+void expect_on_curve(const contact::ContactNode& node, const contact::ClosureCurve& curve, double gap, double pressure,
+                     double error);
+
 void expect_solved(const ContactProblem& problem, const ContactLoad& load, const ContactState& state, double tolerance);
 
 /// Two bodies with as many nodes with friction between them.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/friction_coefficient.hpp"
+#include "creepcontact/contact/gasket.hpp"
 #include "creepcontact/contact/geometry/mortar.hpp"
 
 namespace creepcontact::contact {
@@ -29,7 +31,8 @@ struct Pair {
   Function gap;                        ///< given initial gap [length], used unless ...
   bool geometric_gap = false;          ///< ... it is measured from the meshes
   Eigen::VectorXd gap_per_value = {};  ///< of equations, whose value is `gap` (equation_rows.hpp); else empty
-  FrictionCoefficient friction = {};   ///< one value per multiplier node; used if the coupling has friction
+  std::shared_ptr<const Gasket> gasket = nullptr;  ///< between the surfaces of a contact that is not tied; null: none
+  FrictionCoefficient friction = {};               ///< one value per multiplier node; used if the coupling has friction
   std::optional<Preload> preload = {};
   double from = -std::numeric_limits<double>::infinity();  ///< of tied pairs: they act from this time on ...
   double until = std::numeric_limits<double>::infinity();  ///< ... up to this one, which is no longer among them
@@ -40,7 +43,8 @@ struct Pair {
   bool acts_always() const { return std::isinf(from) && std::isinf(until); }
   bool acts(double t) const { return t >= from && t < until; }
   bool ties_nodes() const { return slave_surface.empty(); }
-  /// Weighted initial gaps, n_rows of the coupling.
+  /// Weighted initial gaps, n_rows of the coupling; with a gasket those from its surface as it has grown by
+  /// temperature.
   Eigen::VectorXd initial_gap(double t) const;
   /// Change of the weighted gaps per unit of interference, n_rows of the coupling: a unilateral contact overlaps by it,
   /// the surfaces of a tied one are drawn together over this distance along their mean normal. The normal force of a

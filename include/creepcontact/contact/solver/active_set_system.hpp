@@ -39,8 +39,9 @@ class ActiveSetSystem {
   /// converge
   ActiveSetSolution solve(const std::vector<int>& active, const ContactLoad& load);
   /// Change of the multipliers and amplitudes for a change of the gaps near a state: closed rows stay closed, and nodes
-  /// with friction fulfil the equations of `at.nodes`. No resultants change.
+  /// with friction fulfil the equations of `at.nodes`; gaskets have `at.compliance`. No resultants change.
   /// Cost: as solve(); with friction a few products with F, see FrictionSystem.
+  /// @param gap  in rows of gaskets with what opens by itself, such as creep of the gasket
   /// @param at  its multipliers do not matter @throws SolverError as solve()
   ContactState solve_change(const ContactState& at, const Eigen::VectorXd& gap);
   /// Must be called when the flexibilities of the problem have changed.
@@ -49,6 +50,7 @@ class ActiveSetSystem {
   void set_stop(const StopRequest& stop);
 
  private:
+  ContactState change(const ContactState& at, const Eigen::VectorXd& gap);
   void factorize(const std::vector<int>& active);
   ActiveSetSolution solve_directly(const ContactLoad& load);
   ActiveSetSolution solve_iteratively(const std::vector<int>& active, const ContactLoad& load);
@@ -56,6 +58,8 @@ class ActiveSetSystem {
   const ContactProblem& problem_;
   double tolerance_;
   StopRequest stop_;
+  struct WithGaskets;
+  std::unique_ptr<WithGaskets> gaskets_;      // for the last compliance
   std::unique_ptr<FrictionSystem> friction_;  // made when first needed
   std::unique_ptr<ProjectedCg> cg_;           // if the flexibility is an operator
   std::vector<int> active_;

@@ -1,6 +1,7 @@
 #pragma once
 /// Solvers of the condensed contact problem: the alternating Schwarz iteration and the active-set method.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -33,6 +34,16 @@ class ContactSolver {
   /// Makes has_given_up_sweeps() true, as if they had failed.
   virtual void give_up_sweeps() {}
 };
+
+/// Makes a solver for a problem, which must outlive it.
+using ContactSolverFactory = std::function<std::unique_ptr<ContactSolver>(const ContactProblem&)>;
+
+/// Solver for problems with gaskets: Newton's method on the closures. Each iteration is a contact problem in which the
+/// curves are straight lines, so that their compliance is part of F; without friction the steps go to the least energy
+/// between the iterates, which converges from any start. Without gaskets: make_solver(problem).
+/// @param problem  must outlive the solver @param make_solver  of the iterations
+/// Cost: one solve by make_solver() while no node passes to another piece of its curve, which changes F.
+std::unique_ptr<ContactSolver> gasket_solver(const ContactProblem& problem, const ContactSolverFactory& make_solver);
 
 /// Parameters of the alternating Schwarz iteration.
 struct SchwarzOptions {

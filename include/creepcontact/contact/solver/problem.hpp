@@ -7,6 +7,8 @@
 /// space) have gap = 0, and nodes with Coulomb friction (a cone) have, in addition to the conditions of the normal row,
 ///   |lambda_t| <= mu lambda_n,   gap_t = -gamma lambda_t,   gamma >= 0,   gamma (|lambda_t| - mu lambda_n) = 0
 /// where gap_t is the slip since the last accepted step.
+/// In nodes of a gasket the pressure is a function of the closure instead, see ClosureCurve; where it is one line, such
+/// a node is unilateral with its compliance on the diagonal of F, which is how ContactProblem::compliance arises.
 /// F_b is the flexibility of body b on its rows: the gaps that unit multipliers open by straining the body. In a body
 /// held by contact alone, some fixing dofs are held in a statically determinate way. F_b depends on their choice, the
 /// solution does not: since N^T lambda + resultant = 0, they carry no force.
@@ -17,6 +19,7 @@
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/memory.hpp"
+#include "creepcontact/contact/solver/closure_curve.hpp"
 #include "creepcontact/contact/solver/flexibility_operator.hpp"
 
 namespace creepcontact::contact {
@@ -40,7 +43,10 @@ struct ContactNode {
   int first_row = 0;
   int n_rows = 1;  ///< half_line: 1; space: any number; cone: the normal row and one or two tangential ones
   int slave_body = 0, master_body = 0;
+  /// Integral of the node's test function [area] if a gasket is between the surfaces; else 0. Not of tied nodes.
+  double gasket_area = 0;
 
+  bool has_gasket() const { return gasket_area > 0; }
   /// Rows whose gap vanishes where the node is closed: the first ones; a cone's tangential rows follow Coulomb's law.
   int n_closed() const { return set == AdmissibleSet::space ? n_rows : 1; }
 };
@@ -57,15 +63,28 @@ struct ContactProblem {
   Eigen::MatrixXd rigid;
   /// Contribution of each body to N, rows of the body x n_motions.
   std::vector<Eigen::MatrixXd> rigid_of_body;
+  /// What is added to the diagonal of F, n_rows, for what lies between the surfaces; empty: nothing.
+  Eigen::VectorXd compliance = {};
+  /// The problem whose `bodies` and `total` these are, which must outlive this one; null: its own.
+  const ContactProblem* owner = nullptr;
+
+  /// The flexibilities of the bodies and their sum, without `compliance`; not to be used if `large` is set.
+  const std::vector<Flexibility>& of_bodies() const { return owner ? owner->bodies : bodies; }
+  const Eigen::MatrixXd& flexibility() const { return owner ? owner->total : total; }
+  /// The diagonal of `compliance` on these rows; zeros without it.
+  Eigen::VectorXd compliance_on(const std::vector<int>& rows) const;
 
   Index n_rows() const { return std::ssize(node_of_row); }
   Index n_motions() const { return rigid.cols(); }
   const ContactNode& node(Index row) const { return nodes[node_of_row[row]]; }
   bool has_friction() const;
+  bool has_gaskets() const;
   /// Appends a node with the next rows.
   void add_node(AdmissibleSet set, int n_rows, int slave_body, int master_body);
   /// Nodes and rigid-body modes of another problem, without the flexibilities.
   static ContactProblem with_nodes_of(const ContactProblem& other);
+  /// The same problem with `compliance`, n_rows. @param owner  must outlive the result
+  static ContactProblem with_compliance(const ContactProblem& owner, Eigen::VectorXd compliance);
 };
 
 /// Coulomb's law at one time.
@@ -88,6 +107,8 @@ struct ContactLoad {
   /// What the loads add up to along the motions if nothing cancels, n_motions: the scale of round-off in `resultant`.
   /// Empty: zero.
   Eigen::VectorXd force = {};
+  /// Laws of the gaskets: one per node, empty in nodes without. Without gaskets an empty list.
+  std::vector<ClosureCurve> curves = {};
 
   bool is_idle(Index row) const { return !idle.empty() && idle[static_cast<std::size_t>(row)] != 0; }
 };
@@ -115,17 +136,21 @@ struct NodeLinearization {
 struct ContactState {
   Eigen::VectorXd multiplier;  ///< contact pressures and shear tractions, n_rows [force/area]
   Eigen::VectorXd rigid;       ///< amplitudes of the rigid-body modes, n_motions
-  std::vector<int> active;     ///< rows in contact whose gaps are zero, ascending
+  std::vector<int> active;     ///< rows in contact, ascending; their gaps are zero, but in nodes with a gasket
   /// One per node of the problem, if it has friction; otherwise empty. A node without friction that is open or closed
   /// has status open or stick, a tied one stick.
   std::vector<NodeLinearization> nodes = {};
   /// Equations whose factor serves later solves as preconditioner; those of some earlier state, or empty.
   std::vector<NodeLinearization> factored = {};
   Eigen::VectorXd image = {};  ///< F multiplier, with friction; empty: not known
+  /// With gaskets: closure of their nodes, per node of the problem, and their compliance there
+  /// (ContactProblem::compliance), per row; zero elsewhere. Else empty.
+  Eigen::VectorXd closure = {}, compliance = {};
   static constexpr auto members =
       std::tuple{Member{"multiplier", &ContactState::multiplier}, Member{"rigid", &ContactState::rigid},
                  Member{"active", &ContactState::active},         Member{"nodes", &ContactState::nodes},
-                 Member{"factored", &ContactState::factored},     Member{"image", &ContactState::image}};
+                 Member{"factored", &ContactState::factored},     Member{"image", &ContactState::image},
+                 Member{"closure", &ContactState::closure},       Member{"compliance", &ContactState::compliance}};
 };
 
 /// Solution of a contact problem, and the work it took.
@@ -146,12 +171,12 @@ struct UnbalancedLoad {
   double force = 0;  ///< generalised force along `motion` that contact cannot balance; 0: not computed
 };
 
-/// Weighted gaps of all rows: load.gap + F lambda + N alpha
+/// Weighted gaps of all rows: load.gap + (F + compliance) lambda + N alpha
 Eigen::VectorXd contact_gaps(const ContactProblem& problem, const ContactLoad& load, const ContactState& state);
 
-/// F lambda
+/// (F + compliance) lambda
 Eigen::VectorXd flexibility_product(const ContactProblem& problem, const Eigen::VectorXd& multiplier);
-/// Diagonal of F; an estimate if F is an operator.
+/// Diagonal of F + compliance; an estimate if F is an operator.
 Eigen::VectorXd flexibility_diagonal(const ContactProblem& problem);
 
 /// Gap that a unit multiplier opens at its own row, to convert gaps to multipliers. F_ii may vanish at the fixing dofs

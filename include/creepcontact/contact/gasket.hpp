@@ -1,0 +1,66 @@
+#pragma once
+/// A gasket between the two surfaces of a contact pair: a law of the pair, without elements and without a mesh.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "creepcontact/base/function.hpp"
+#include "creepcontact/base/memory.hpp"
+#include "creepcontact/contact/gasket_law.hpp"
+#include "creepcontact/material/material.hpp"
+#include "creepcontact/mechanics/temperature_field.hpp"
+
+namespace creepcontact::contact {
+
+/// What gaskets of one kind are made of.
+struct GasketKind {
+  std::string name;
+  GasketLaw law;
+  Function expansion = 0.0;  ///< thermal, through the thickness, a function of T: strain per degree from the reference
+  double reference_temperature = 0;
+  /// Its creep laws, for the uniaxial stress -p: the rate of the creep closure is the thickness times that of the
+  /// strain. Null: none.
+  std::shared_ptr<const material::Material> creep = nullptr;
+};
+
+/// Immutable; its nodes are the multiplier nodes of a pair.
+class Gasket {
+ public:
+  /// @param temperature  of the bodies around it; nullopt: its reference temperature
+  /// @param positions  of the nodes
+  Gasket(std::shared_ptr<const GasketKind> kind, const std::optional<mechanics::TemperatureField>& temperature,
+         const std::vector<Vector3>& positions);
+
+  const GasketKind& kind() const { return *kind_; }
+  /// Of every node at time t.
+  std::vector<double> temperatures(double t) const;
+  /// Of every node at time t, by how much more than at its reference temperature its free thickness is [length].
+  std::vector<double> growth(double t) const;
+
+ private:
+  std::shared_ptr<const GasketKind> kind_;
+  std::size_t n_nodes_;
+  std::unique_ptr<const mechanics::TemperatureAtPositions> temperature_;  // null: the reference temperature
+};
+
+/// What gaskets have gone through, per node of the contact problem; zero in nodes without one. Empty: no gaskets.
+struct GasketHistory {
+  Eigen::VectorXd largest;          ///< closure without creep
+  Eigen::VectorXd closure, before;  ///< at the end of the last two steps, since the last breakpoint; empty: not known
+  double time = 0, time_before = 0;
+  std::vector<double> creep;  ///< closure by creep at the end of the last step; empty: none
+  static constexpr auto members =
+      std::tuple{Member{"largest", &GasketHistory::largest},         Member{"closure", &GasketHistory::closure},
+                 Member{"before", &GasketHistory::before},           Member{"time", &GasketHistory::time},
+                 Member{"time_before", &GasketHistory::time_before}, Member{"creep", &GasketHistory::creep}};
+
+  /// Takes the closures at the end of a step into it. Where a closure has turned within the last two steps, the largest
+  /// one is that of the parabola through the last three.
+  void advance(double t, const Eigen::VectorXd& closures);
+  /// Forgets the steps at a breakpoint, where closures may have a kink.
+  void begin_segment() { before.resize(0); }
+};
+
+}  // namespace creepcontact::contact

@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/material/registry.hpp"
+#include "model_parts.hpp"
+
+namespace creepcontact::model {
+namespace {
+
+contact::GasketCurve curve_of(const config::GasketCurve& from) {
+  return {from.closure, from.pressure};
+}
+
+contact::GasketUnloading unloading_of(const config::GasketUnloading& from) {
+  contact::GasketUnloading result{from.from, from.modulus, {}};
+  for (const config::GasketCurve& curve : from.curves) result.curves.push_back(curve_of(curve));
+  return result;
+}
+
+contact::GasketLaw law_of(const config::Gasket& from) {
+  std::vector<contact::GasketData> data;
+  for (const config::GasketCurve& loading : from.loading) {
+    const auto found = from.unloading.size() == 1
+                           ? from.unloading.begin()
+                           : std::ranges::find(from.unloading, loading.T, &config::GasketUnloading::T);
+    data.push_back({loading.T.value_or(0), curve_of(loading),
+                    found != from.unloading.end() ? unloading_of(*found) : contact::GasketUnloading()});
+  }
+  return {from.thickness, std::move(data)};
+}
+
+/// Norton's law of the strain closure/thickness with which the pressure falls as in the test, in series with the rig
+/// and with the unloading gasket: dc/dt = a p^n, a = (P^(1-n) - 1) p0^(1-n) / ((n - 1) k t), 1/k = area/stiffness +
+/// 1/slope.
+std::shared_ptr<const material::CreepLaw> relaxation_law(const config::GasketRelaxation& test,
+                                                         const contact::GasketLaw& law, double temperature) {
+  const std::vector<double>&closure = law.data().front().loading.closure,
+        &pressure = law.data().front().loading.pressure;
+  const auto above = std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(pressure, test.pressure) - pressure.begin(), 1,
+                                                std::ssize(pressure) - 1);
+  const auto i = static_cast<std::size_t>(above);
+  const double largest = closure[i - 1] + (test.pressure - pressure[i - 1]) * (closure[i] - closure[i - 1]) /
+                                              (pressure[i] - pressure[i - 1]);
+  const double slope = law.curve(largest, temperature).line(largest).slope;
+  const double k = 1 / (test.area / test.stiffness + 1 / slope);
+  const double n = test.n;
+  const double a =
+      n == 1 ? -std::log(test.factor) / (k * test.time)
+             : (std::pow(test.factor, 1 - n) - 1) * std::pow(test.pressure, 1 - n) / ((n - 1) * k * test.time);
+  return material::find_creep_law("norton")->make_by_key(
+      {{"A", {Function(a / law.thickness())}}, {"n", {Function(n)}}});
+}
+
+}  // namespace
+
+std::shared_ptr<const contact::GasketKind> make_gasket(const config::Gasket& from) {
+  try {
+    const double reference = from.reference_temperature.value_or(0);
+    contact::GasketKind kind{from.name, law_of(from), from.thermal_expansion, reference};
+    material::Material creep;
+    creep.name = "gasket " + from.name;
+    creep.reference_temperature = reference;
+    for (const config::CreepMechanism& mechanism : from.creep) creep.creep.push_back(make_creep_law(mechanism));
+    if (from.relaxation) creep.creep.push_back(relaxation_law(*from.relaxation, kind.law, reference));
+    if (!creep.creep.empty()) kind.creep = std::make_shared<const material::Material>(std::move(creep));
+    return std::make_shared<const contact::GasketKind>(std::move(kind));
+  } catch (const std::invalid_argument& error) {
+    throw ModelError(fmt::format("gasket '{}': {}", from.name, error.what()));
+  }
+}
+
+}  // namespace creepcontact::model
