@@ -6,7 +6,7 @@
 namespace creepcontact::config {
 namespace {
 
-std::vector<Field<GasketCurve>> curve_keys() {
+std::vector<Field<GasketCurve>> gasket_curve_keys() {
   return {
       field<GasketCurve>("closure", &GasketCurve::closure, list(number()),
                          "closures, by how much thinner the gasket is: increasing", Presence::required)
@@ -19,7 +19,7 @@ std::vector<Field<GasketCurve>> curve_keys() {
 }
 
 Value<GasketCurve> loading_table() {
-  std::vector<Field<GasketCurve>> keys = curve_keys();
+  std::vector<Field<GasketCurve>> keys = gasket_curve_keys();
   keys.insert(keys.begin(), field<GasketCurve>("T", &GasketCurve::T, number(), "temperature of this curve")
                                 .otherwise("required if there are several")
                                 .in("temperature"));
@@ -38,7 +38,7 @@ Value<GasketUnloading> unloading_table() {
                              "unloading moduli E_G from there: straight lines of the slope modulus/thickness")
           .in("stress"),
       field<GasketUnloading>(
-          "curves", &GasketUnloading::curves, list(written_inline(table<GasketCurve>(curve_keys()))),
+          "curves", &GasketUnloading::curves, list(written_inline(table<GasketCurve>(gasket_curve_keys()))),
           "measured unloading curves instead, each from its residual closure at pressure 0 up to the "
           "loading curve"),
   }));

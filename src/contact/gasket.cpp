@@ -1,6 +1,7 @@
 #include "creepcontact/contact/gasket.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace creepcontact::contact {
@@ -26,24 +27,34 @@ std::vector<double> Gasket::growth(double t) const {
   return result;
 }
 
+namespace {
+
+/// The largest value of the parabola through three points within them; that of the points where it has no summit there,
+/// or where the points are too uneven to tell.
+double summit(const std::array<double, 3>& t, const std::array<double, 3>& c) {
+  constexpr double most_uneven = 50;  // of the two intervals
+  const double points = std::max({c[0], c[1], c[2]}), first = t[1] - t[0], second = t[2] - t[1];
+  // Where it has fallen all the time, a summit would be one of the extrapolation.
+  if (!(first > 0 && second > 0) || std::max(first / second, second / first) > most_uneven || c[0] == points)
+    return points;
+  const double slope = (c[1] - c[0]) / first, next = (c[2] - c[1]) / second;
+  const double curvature = (next - slope) / (t[2] - t[0]);
+  const double at_begin = slope - curvature * first, at_end = next + curvature * second;
+  if (!(curvature < 0 && at_begin > 0 && at_end < 0)) return points;
+  const double least = std::min({c[0], c[1], c[2]});
+  return std::clamp(c[0] - at_begin * at_begin / (4 * curvature), points, points + (points - least));
+}
+
+}  // namespace
+
 void GasketHistory::advance(double t, const Eigen::VectorXd& closures) {
   if (largest.size() == 0) return;
   for (Index i = 0; i < largest.size(); ++i) {
     double most = std::max(closures[i], closure.size() > 0 ? closure[i] : closures[i]);
-    if (before.size() > 0 && t > time && time > time_before) {
-      // Newton's form of the parabola: its summit lies between the three where the slope changes its sign.
-      const double slope = (closure[i] - before[i]) / (time - time_before),
-                   next = (closures[i] - closure[i]) / (t - time);
-      const double curvature = (next - slope) / (t - time_before);
-      const double at_begin = slope - curvature * (time - time_before);
-      const double at_end = next + curvature * (t - time);
-      if (curvature < 0 && at_begin > 0 && at_end < 0)
-        most = std::max(most, before[i] - at_begin * at_begin / (4 * curvature));
-    }
+    if (before.size() > 0) most = summit({time_before, time, t}, {before[i], closure[i], closures[i]});
     largest[i] = std::max(largest[i], most);
   }
-  const bool same_time = closure.size() > 0 && t == time;
-  if (!same_time) {
+  if (closure.size() == 0 || t != time) {
     before = closure;
     time_before = time;
   }

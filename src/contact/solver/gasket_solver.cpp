@@ -11,9 +11,10 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr double same_pressure = 1e-13;  // of the largest: the line found is that of the curve
+constexpr double same_pressure = 1e-12;        // of the largest: the line found is that of the curve
+constexpr double rounding_of_closure = 1e-14;  // of the closures of a curve
 constexpr int max_newton_of_gaskets = 200;
-constexpr int undamped_with_friction = 10;  // iterations; then the steps of the closures are halved
+constexpr int slower_with_friction = 15;  // iterations; then the steps of the closures are halved
 constexpr int bisections = 60;
 
 /// A displacement of the bodies, by the multipliers that cause it.
@@ -51,7 +52,8 @@ class GasketSolver final : public ContactSolver {
       if (iteration > 0 && !problem_.has_friction()) go_towards(load, last, found);
       const Eigen::VectorXd before = closure;
       closure = found.state.closure;
-      if (problem_.has_friction() && iteration >= undamped_with_friction) closure = (closure + before) / 2;
+      if (problem_.has_friction())
+        closure = before + std::pow(0.5, iteration / slower_with_friction) * (closure - before);
       from = found.state;
       from.image.resize(0);
       last = {std::move(found.state.multiplier), std::move(found.state.rigid), std::move(found.gap),
@@ -100,13 +102,15 @@ class GasketSolver final : public ContactSolver {
   }
 
   bool is_on_curves(const ContactLoad& load, const ContactState& found) const {
-    double largest = 0, error = 0;
-    for (const std::size_t i : gaskets_) {
-      const double pressure = found.multiplier[problem_.nodes[i].first_row];
-      largest = std::max(largest, std::abs(pressure));
-      error = std::max(error, std::abs(load.curves[i].pressure(found.closure[static_cast<Index>(i)]) - pressure));
-    }
-    return error <= same_pressure * largest;
+    double largest = 0;
+    for (const std::size_t i : gaskets_)
+      largest = std::max(largest, std::abs(found.multiplier[problem_.nodes[i].first_row]));
+    return std::ranges::all_of(gaskets_, [&](std::size_t i) {
+      const double closure = found.closure[static_cast<Index>(i)];
+      const double error = load.curves[i].pressure(closure) - found.multiplier[problem_.nodes[i].first_row];
+      return std::abs(error) <= same_pressure * largest + rounding_of_closure * load.curves[i].line(closure).slope *
+                                                              (std::abs(closure) + load.curves[i].end());
+    });
   }
 
   void finish(const ContactLoad& load, ContactState& state) const {

@@ -132,8 +132,9 @@ void expect_friction_solved(const ContactProblem& problem, const ContactLoad& lo
     for (int row = normal + 1; row < normal + node.n_rows; ++row)
       if (flexibility[row] > 1e-13 * flexibility.maxCoeff()) tangential.push_back(row);
     if (!(flexibility[normal] > 1e-13 * flexibility.maxCoeff())) continue;  // held on both sides
-    if (!node.has_gasket())
+    if (!node.has_gasket()) {
       EXPECT_NEAR(std::min(state.multiplier[normal], gap[normal] / flexibility[normal]), 0, error);
+    }
     if (tangential.empty()) continue;
     const Eigen::VectorXd tau = state.multiplier(tangential);
     const Eigen::VectorXd slip = gap(tangential) / flexibility(tangential).mean();

@@ -21,6 +21,8 @@ class ClosureCurve {
   double pressure(double closure) const;
   /// The closure where pressure begins.
   double begin() const { return points_.front().x(); }
+  /// The closure of the last point.
+  double end() const { return points_.back().x(); }
   /// Multiplies the pressures by a positive factor.
   void scale(double factor) {
     for (Eigen::Vector2d& point : points_) point.y() *= factor;
