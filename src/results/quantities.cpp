@@ -197,6 +197,13 @@ std::vector<OutputVariable> make_variables() {
              "largest closure of a gasket so far without creep, from which it unloads");
   of_gaskets("creep_closure", "closure by creep", &ContactValues::creep_closure,
              "part of the closure of a gasket that is creep");
+  all.push_back({.name = "gasket_pressure",
+                 .description = "contact pressure as tightness is judged by: its mean over the width, at sections around "
+                                "the probe's `axis`, of which `min` is the least along the circumference",
+                 .label = "gasket pressure",
+                 .dimension = Dimension::stress,
+                 .support = OverWidth{&ContactValues::pressure},
+                 .cylindrical = true});
   all.push_back({.name = "contact_area",
                  .description = "area in contact; its edge is located between the nodes",
                  .label = "contact area",

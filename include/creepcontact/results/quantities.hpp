@@ -40,6 +40,13 @@ struct AtMultipliers {
   bool in_body_files = true;  ///< also in the field files of bodies
 };
 
+/// Contact surfaces: means over the width, at sections around the axis of the probe.
+struct OverWidth {
+  static constexpr std::string_view places = "contact surface";
+  static constexpr bool is_sum = false;
+  double ContactValues::*value;
+};
+
 /// Force and moment on a part of a body.
 struct Resultant {
   Vector3 force = Vector3::Zero();
@@ -80,7 +87,7 @@ struct OnPlane {
   void (*evaluate)(const Resultant& resultant, double* components);
 };
 
-using Support = std::variant<AtNodes, AtPoints, AtMultipliers, OnContactSurface, AreaInContact, OnSupports,
+using Support = std::variant<AtNodes, AtPoints, AtMultipliers, OverWidth, OnContactSurface, AreaInContact, OnSupports,
                              OnCrossSection, OnPlane>;
 
 struct OutputVariable {
