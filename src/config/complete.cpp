@@ -114,6 +114,8 @@ void complete(Config& config, const Vocabulary& vocabulary) {
   }
   for (Gasket& gasket : config.gaskets)
     for (CreepMechanism& mechanism : gasket.creep) complete_law(mechanism, vocabulary.laws);
+  for (Spring& spring : config.springs)
+    for (CreepMechanism& mechanism : spring.creep) complete_law(mechanism, vocabulary.laws);
   for (Contact& contact : config.contacts)
     if (contact.name.empty()) contact.name = default_name(contact);
   for (Probe& probe : config.probes) {

@@ -43,6 +43,8 @@ Value<Config> config_table(const Vocabulary& vocabulary) {
       field<Config>("gaskets", &Config::gaskets, named(gasket_table(vocabulary)),
                     "gaskets between surfaces, by the pressure over their closure"),
       field<Config>("contacts", &Config::contacts, tables(contact_table()), "pairs of surfaces in contact"),
+      field<Config>("springs", &Config::springs, tables(spring_table(vocabulary)),
+                    "springs between surfaces or points, and to the ground"),
       field<Config>("cyclic", &Config::cyclic, tables(cyclic_table()),
                     "cyclic symmetry: the model is one of the sectors of a full circle"),
       field<Config>("rigid", &Config::rigid, tables(rigid_table()), "surfaces that move as rigid bodies"),

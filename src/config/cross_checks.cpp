@@ -212,6 +212,7 @@ void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
   check_preloads(config, errors);
   check_cyclic(config, errors);
   check_fatigue(config, errors);
+  check_unique(config.springs, errors);
   check_unique(config.probes, errors);
   check_unique(config.events, errors);
   check_expressions(config, errors);

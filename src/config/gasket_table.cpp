@@ -100,10 +100,10 @@ Value<Gasket> gasket_table(const Vocabulary& vocabulary) {
   const auto keys = table<Gasket>({
       field<Gasket>("thickness", &Gasket::thickness, number(greater(0)), "uncompressed", Presence::required)
           .in("length"),
-      field<Gasket>("loading", &Gasket::loading, one_or_more_tables(loading_table()),
+      field<Gasket>("loading", &Gasket::loading, written_inline(one_or_more_tables(loading_table())),
                     "pressure over closure when it is compressed for the first time; a list with `T`",
                     Presence::required),
-      field<Gasket>("unloading", &Gasket::unloading, one_or_more_tables(unloading_table()),
+      field<Gasket>("unloading", &Gasket::unloading, written_inline(one_or_more_tables(unloading_table())),
                     "how it unloads and is compressed again, from the largest closure it has had")
           .otherwise("along `loading`"),
       field<Gasket>("thermal_expansion", &Gasket::thermal_expansion, function({"T"}),
@@ -114,7 +114,7 @@ Value<Gasket> gasket_table(const Vocabulary& vocabulary) {
           .otherwise("required with `thermal_expansion` and `[temperature]`")
           .in("temperature"),
       field<Gasket>(
-          "creep", &Gasket::creep, tables(mechanism_table(vocabulary.laws)),
+          "creep", &Gasket::creep, laws_elsewhere(vocabulary),
           "creep laws that act together, of the strain closure/thickness under the pressure as uniaxial stress")
           .otherwise("none"),
       field<Gasket>("relaxation", &Gasket::relaxation, relaxation_table(),

@@ -258,6 +258,14 @@ Value<CreepMechanism> mechanism_table(const std::vector<Law>& laws) {
   return value;
 }
 
+/// Their keys are those of materials: lists name them once.
+Value<std::vector<CreepMechanism>> laws_elsewhere(const Vocabulary& vocabulary) {
+  auto laws = written_inline(tables(mechanism_table(vocabulary.laws)));
+  laws.keys.clear();
+  laws.brief = "list of tables as in `[[materials.<name>.creep]]`";
+  return laws;
+}
+
 namespace {
 
 constexpr const char* three = "a list of three";

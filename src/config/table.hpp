@@ -170,7 +170,7 @@ Value<S> table(const std::vector<Field<S>>& fields, const std::string& type = "a
   return value;
 }
 
-/// Lets a table be written among the keys around it: rotation = { ... }
+/// Lets a table, or a list of them, be written among the keys around it: rotation = { ... }
 template <class S>
 Value<S> written_inline(Value<S> table) {
   table.form = Form::value;

@@ -13,6 +13,8 @@ Value<Body> body_table();
 Value<Material> material_table(const Vocabulary& vocabulary);
 /// A law of [[materials.<name>.creep]].
 Value<CreepMechanism> mechanism_table(const std::vector<Law>& laws);
+/// The laws of what is not a material: creep = [{ law = "norton", ... }].
+Value<std::vector<CreepMechanism>> laws_elsewhere(const Vocabulary& vocabulary);
 /// A constant of a law that is not given.
 CreepParameter default_parameter(const LawKey& key, const Location& location);
 /// Sets what the law specifies for a constant apart from its values.
@@ -27,6 +29,7 @@ Value<Load> load_table();
 Value<Temperature> temperature_table();
 Value<GeneralizedPlaneStrain> generalized_plane_strain_table();
 Value<Contact> contact_table();
+Value<Spring> spring_table(const Vocabulary& vocabulary);
 std::string default_name(const Contact& contact);
 Value<Cyclic> cyclic_table();
 Value<Rigid> rigid_table();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -88,6 +89,19 @@ GasketLaw::GasketLaw(double thickness, std::vector<GasketData> data) : thickness
       throw std::invalid_argument("unloading: must be given at all temperatures or at none");
     check(data_[i]);
   }
+}
+
+GasketLaw GasketLaw::spring(GasketCurve curve) {
+  if (curve.closure.size() != curve.pressure.size() || curve.closure.size() < 2)
+    throw std::invalid_argument("curve: needs as many forces as closures, and at least two");
+  require_increasing(curve.closure, "curve, closure");
+  require_increasing(curve.pressure, "curve, force");
+  if (curve.pressure.front() > 0)
+    throw std::invalid_argument("curve: must begin with a force of 0, or with a negative one if the spring pulls");
+  GasketLaw law;
+  law.pulls_ = curve.pressure.front() < 0;
+  law.data_.push_back({0, std::move(curve), {}});
+  return law;
 }
 
 void GasketLaw::check(const GasketData& of) const {
@@ -180,6 +194,12 @@ GasketLaw::Unloading GasketLaw::unloading(const GasketData& of, double largest) 
 }
 
 ClosureCurve GasketLaw::curve(double largest, double temperature) const {
+  if (pulls_) {
+    const GasketCurve& own = data_.front().loading;
+    std::vector<Eigen::Vector2d> points;
+    for (std::size_t i = 0; i < own.closure.size(); ++i) points.emplace_back(own.closure[i], own.pressure[i]);
+    return ClosureCurve(std::move(points), true);
+  }
   std::vector<double> temperatures;
   for (const GasketData& one : data_) temperatures.push_back(one.temperature);
   const Between found = find_between(temperatures, temperature);
@@ -220,6 +240,7 @@ ClosureCurve GasketLaw::curve(double largest, double temperature) const {
 }
 
 double GasketLaw::last_closure() const {
+  if (pulls_ && data_.front().loading.closure.size() == 2) return std::numeric_limits<double>::infinity();  // a line
   double least = data_.front().loading.closure.back();
   for (const GasketData& one : data_) least = std::min(least, one.loading.closure.back());
   return least;

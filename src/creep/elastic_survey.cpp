@@ -33,6 +33,7 @@ std::vector<double> telling_times(double end, const std::vector<double>& breakpo
 
 bool acts(const contact::Pair& pair, double t) {
   if (pair.preload) return true;
+  if (pair.gasket && pair.ties_nodes() && pair.gasket->kind().law.curve(0, 0).pressure(0) != 0) return true;
   const contact::MortarCoupling& coupling = pair.coupling;
   const Eigen::VectorXd gap = pair.initial_gap(t);
   // Whatever is not a plain opening may load the bodies, also what is not a number.

@@ -49,7 +49,14 @@ GasketCreep::GasketCreep(const Assembly& assembly) {
     n_contact_nodes_ += pair.coupling.nodes.size();
     const std::size_t n_state = gasket_stride(pair);
     if (n_state == 0 || assembly.team().rank() != 0) continue;
-    OfPair gasket{p, &pair, {}, pair.coupling.nodes.size(), n_state, first, pair.gasket->kind().law.thickness()};
+    OfPair gasket{p,
+                  &pair,
+                  {},
+                  pair.coupling.nodes.size(),
+                  n_state,
+                  first,
+                  pair.gasket->kind().law.thickness(),
+                  pair.gasket->kind().stress_per_pressure};
     std::size_t own = 1;
     for (const auto& law : pair.gasket->kind().creep->creep) {
       gasket.mechanisms.push_back({law.get(), own, static_cast<std::size_t>(law->n_internal())});
@@ -74,9 +81,13 @@ void GasketCreep::for_each_node(const Equilibrium& at, std::span<const double> s
     for (std::size_t i = 0; i < gasket.n_nodes; ++i) {
       const std::size_t first = gasket.first + i * gasket.n_state;
       const auto own = state.subspan(first, gasket.n_state);
-      const double pressure =
-          std::max(0.0, at.contact.multiplier[gasket.contact->first_row + gasket.contact->coupling.row(i)]);
-      Seen seen{stress_of(pressure), tensor_of(own[0]), {}, at.time, temperatures[i], min_strain[gasket.pair]};
+      const double pressure = at.contact.multiplier[gasket.contact->first_row + gasket.contact->coupling.row(i)];
+      Seen seen{stress_of(gasket.stress_per_pressure * pressure),
+                tensor_of(own[0]),
+                {},
+                at.time,
+                temperatures[i],
+                min_strain[gasket.pair]};
       const auto see = [&](const Mechanism& mechanism) {
         seen.parameters.clear();
         for (const Function& parameter : mechanism.law->parameters())
@@ -110,7 +121,8 @@ void GasketCreep::derivative(const Equilibrium& at, std::span<const double> stat
                              const std::vector<double>& min_strain, const Eigen::VectorXd& multiplier,
                              std::span<const double> change, std::span<double> product) const {
   for_each_node(at, state, min_strain, [&](const OfPair& gasket, std::size_t i, std::size_t first, const auto& see) {
-    const Tensor6 stress = stress_of(multiplier[gasket.contact->first_row + gasket.contact->coupling.row(i)]);
+    const Tensor6 stress =
+        stress_of(gasket.stress_per_pressure * multiplier[gasket.contact->first_row + gasket.contact->coupling.row(i)]);
     const Tensor6 strain = tensor_of(change[first]);
     Tensor6 sum = Tensor6::Zero();
     for (const Mechanism& mechanism : gasket.mechanisms)
@@ -129,7 +141,8 @@ GasketCreep::Jacobians GasketCreep::jacobians(const Equilibrium& at, std::span<c
     const auto n = static_cast<Eigen::Index>(gasket.n_state);
     Eigen::MatrixXd& jacobian = result.emplace_back(n, n + 1);
     for (Eigen::Index j = 0; j <= n; ++j) {
-      const Tensor6 stress = stress_of(j == n ? 1.0 : 0.0), strain = tensor_of(j == 0 ? 1.0 : 0.0);
+      const Tensor6 stress = stress_of(j == n ? gasket.stress_per_pressure : 0.0),
+                    strain = tensor_of(j == 0 ? 1.0 : 0.0);
       std::vector<double> change(gasket.n_state, 0.0), product(gasket.n_state, 0.0);
       if (j < n) change[static_cast<std::size_t>(j)] = 1;
       Tensor6 sum = Tensor6::Zero();

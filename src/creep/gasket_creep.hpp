@@ -65,7 +65,7 @@ class GasketCreep {
     const contact::Pair* contact;
     std::vector<Mechanism> mechanisms;
     std::size_t n_nodes, n_state, first;  // of the states
-    double thickness;
+    double thickness, stress_per_pressure;
   };
   /// Calls work(gasket, node, its first state, sight) for all nodes; `sight` makes the PointState of a mechanism.
   template <typename Work>

@@ -149,6 +149,9 @@ std::map<std::string, List> lists() {
       one_of("PRESSURE-OVERCLOSURE", {"HARD", "LINEAR", "EXPONENTIAL", "TABULAR", "TIED"}) +
       ignored({"AUGMENTED LAGRANGE", "DIRECT", "LAGRANGE", "PENALTY"}) +
       refused({"NO SEPARATION"}, "surfaces that hold each other once they touch, and slide, are not known");
+  of["SPRING"] = taken({"ELSET", "NONLINEAR"}) + of_table() + ignored({"RTOL"}) +
+                 refused({"ORIENTATION"}, "springs along axes of their own are not known") +
+                 refused({"COMPLEX STIFFNESS"}, "damping is not known");
   of["FRICTION"] =
       ignored({"ELASTIC SLIP", "SLIP TOLERANCE", "SHEAR TRACTION SLOPE", "LAGRANGE"}) + of_table() +
       refused({"ROUGH"},

@@ -72,7 +72,8 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     keep(Where::model, 3, {"CONTACT PROPERTY ASSIGNMENT", "PRE-TENSION SECTION"});
     keep(Where::model, 6, {"CYCLIC SYMMETRY MODEL"});
     keep(Where::model, 0,
-         {"INITIAL CONDITIONS", "SURFACE INTERACTION", "SURFACE BEHAVIOR", "CLEARANCE", "RIGID BODY", "CONTACT"});
+         {"INITIAL CONDITIONS", "SURFACE INTERACTION", "SURFACE BEHAVIOR", "CLEARANCE", "RIGID BODY", "CONTACT",
+          "SPRING"});
     add(Kind::impossible, "contacts and elements that come and go are not known", {"MODEL CHANGE"});
     add(Kind::impossible, "contact that changes from step to step is not known", {"CHANGE SURFACE BEHAVIOR"});
     const std::string general =
@@ -144,8 +145,8 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     add(Kind::impossible, "shells and membranes are not known",
         {"SHELL SECTION", "MEMBRANE SECTION", "MEMBRANE", "SHELL GENERAL SECTION", "NODAL THICKNESS"});
     add(Kind::impossible, "beams and trusses are not known", {"BEAM SECTION", "BEAM GENERAL SECTION", "TRUSS SECTION"});
-    add(Kind::impossible, "springs, dashpots, masses and gap elements are not known",
-        {"SPRING", "DASHPOT", "DASHPOTA", "MASS", "GAP", "ROTARY INERTIA", "CONNECTOR SECTION"});
+    add(Kind::impossible, "dashpots, masses and gap elements are not known",
+        {"DASHPOT", "DASHPOTA", "MASS", "GAP", "ROTARY INERTIA", "CONNECTOR SECTION"});
     add(Kind::impossible, "this kind of plasticity is not known",
         {"DEFORMATION PLASTICITY", "DRUCKER PRAGER", "MOHR COULOMB", "CONCRETE"});
     add(Kind::impossible, "large elastic strains are not known", {"HYPERELASTIC", "HYPERFOAM", "HYPO ELASTIC"});

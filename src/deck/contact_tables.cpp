@@ -1,6 +1,8 @@
 /// [[contacts]]: contact pairs, ties, and bolts that are locked
 
 #include <algorithm>
+#include <cctype>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -16,6 +18,8 @@ namespace {
 struct Interaction {
   Course friction;
   bool tied = false;
+  std::string name = {};
+  std::string gasket = {};  ///< of the configuration
 };
 
 class ContactMaker {
@@ -45,6 +49,7 @@ class ContactMaker {
       const auto [made, is_new] = interactions_.try_emplace(upper_case(raw.card.value("NAME")));
       if (!is_new) draft_.refuse(raw, fmt::format("'{}' exists already", raw.card.value("NAME")));
       own_ = &made->second;
+      own_->name = raw.card.value("NAME");
     }
     if (raw.card.name == "CHANGE FRICTION") {
       const auto found = interactions_.find(upper_case(raw.card.value("INTERACTION")));
@@ -61,10 +66,57 @@ class ContactMaker {
     if (is_friction) return friction(raw, time);
     const std::string kind = upper_case(raw.card.value("PRESSURE-OVERCLOSURE"));
     own_->tied = kind == "TIED";
+    if (kind == "TABULAR") return curve(raw);
     if (kind != "HARD" && kind != "TIED")
       draft_.left_out.push_back({raw.card.place, raw.card.name,
                                  fmt::format("{}: contact is hard here, without penetration",
                                              kind.empty() ? "pressure over overclosure" : kind)});
+  }
+
+  /// Rows of pressure and overclosure: a gasket that has no thickness of its own.
+  void curve(const RawCard& raw) {
+    config::GasketCurve curve;
+    std::string temperature;
+    for (const std::vector<std::string>& line : raw.data) {
+      const auto pressure = line.empty() ? std::nullopt : number(line[0]);
+      const auto overclosure = line.size() < 2 ? std::nullopt : number(line[1]);
+      if (!pressure || !overclosure) return draft_.refuse(raw, "expected rows of a pressure and an overclosure");
+      if (line.size() > 2 && !line[2].empty() && std::exchange(temperature, line[2]) != line[2] &&
+          !curve.closure.empty())
+        return draft_.refuse(raw,
+                             "a curve that depends on the temperature; give one [gaskets.<name>] by hand, whose "
+                             "'loading' takes several");
+      curve.pressure.push_back(pressure.value_or(0));
+      curve.closure.push_back(rounded(overclosure.value_or(0)));
+    }
+    if (curve.pressure.size() < 2 || curve.pressure.front() != 0 || !is_increasing(curve.pressure) ||
+        !is_increasing(curve.closure))
+      return draft_.refuse(raw, "expected at least two rows that increase, the first one with the pressure 0");
+    own_->gasket = name_of_gasket();
+    config::Gasket made;
+    made.name = own_->gasket;
+    made.thickness = 1;
+    made.loading = {std::move(curve)};
+    draft_.config.gaskets.push_back(std::move(made));
+    const std::string key = "gaskets." + own_->gasket;
+    draft_.comment(key, raw.card.place.text() + ": *SURFACE BEHAVIOR");
+    draft_.comment(key + ".thickness", "does not matter here: the curve is one of closures");
+  }
+
+  static bool is_increasing(const std::vector<double>& values) {
+    return std::ranges::adjacent_find(values, std::greater_equal<>()) == values.end();
+  }
+
+  /// The name of the interaction as a key can have it.
+  std::string name_of_gasket() const {
+    std::string name;
+    for (const char letter : own_->name) name += std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_';
+    const auto is_taken = [&](const std::string& one) {
+      return std::ranges::find(draft_.config.gaskets, one, &config::Gasket::name) != draft_.config.gaskets.end();
+    };
+    std::string free = name;
+    for (int i = 2; is_taken(free); ++i) free = fmt::format("{}_{}", name, i);
+    return free;
   }
 
   /// Rows of a coefficient and what it depends on; in CalculiX the stiffness of sticking, which is infinite here.
@@ -157,6 +209,7 @@ class ContactMaker {
     }
     config::Contact made = contact(own, other);
     const std::string why = set_gap(raw, slave, master, made);
+    if (!interaction.gasket.empty()) made.gasket = {interaction.gasket};
     if (!interaction.friction.is_zero()) made.friction = interaction.friction.function();
     draft_.comment(add(std::move(made), raw.card.place, raw.card.name) + ".gap", why);
   }

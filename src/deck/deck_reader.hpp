@@ -95,6 +95,7 @@ class DeckReader {
   void add_members(Set& set, const DataLine& line, bool generate, const std::string& scope,
                    std::map<std::string, Set> Deck::*sets, std::int64_t offset);
   void add_node(const DataLine& line, Set* set);
+  void add_spring(const std::string& type, const DataLine& line);
   void add_to_element(const DataLine& line);
   void finish_card();
   /// Adds members to the sets of `into_` that were named before they were defined.

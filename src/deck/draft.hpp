@@ -77,6 +77,7 @@ void make_supports(Draft& draft);
 void make_loads(Draft& draft);
 void make_contacts(Draft& draft);
 void make_links(Draft& draft);
+void make_springs(Draft& draft);
 void make_temperature(Draft& draft);
 void make_time(Draft& draft);
 void make_probes(Draft& draft);

@@ -114,6 +114,7 @@ Import make(Draft& draft) {
                                   fmt::format("the reference node {} is held in some steps only", key.first)});
   eliminate_reference_nodes(draft.equations, draft.used, draft.loading);
   make_links(draft);
+  make_springs(draft);
   make_supports(draft);
   make_loads(draft);
   make_temperature(draft);

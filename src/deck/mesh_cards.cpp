@@ -57,6 +57,11 @@ void DeckReader::element(const Card& card) {
   if (name.empty()) return;
   element_set_ = card.value("ELSET").empty() ? nullptr : &named(into_->element_sets, card.value("ELSET"));
   const std::optional<ElementType> type = element_type(name);
+  if (const std::string spring = upper_case(name);
+      into_ == &deck_ && (spring == "SPRINGA" || spring == "SPRING1" || spring == "SPRING2")) {
+    on_data_ = [this, spring](const DataLine& line) { add_spring(spring, line); };
+    return;
+  }
   if (!type) {
     into_->impossible.push_back(
         {card.place, card.name,
@@ -71,6 +76,21 @@ void DeckReader::element(const Card& card) {
   block_ = &*block;
   block_->cards.emplace_back(block_->numbers.size(), card.place);
   on_data_ = [this](const DataLine& line) { add_to_element(line); };
+}
+
+void DeckReader::add_spring(const std::string& type, const DataLine& line) {
+  SpringElement made{type, 0, {}, line.place};
+  const std::size_t n_nodes = type == "SPRING1" ? 1 : 2;
+  for (std::size_t i = 0; i <= n_nodes; ++i) {
+    const auto own = label(line, line.field(i), "the number of an element or a node");
+    if (!own) return;
+    if (i == 0)
+      made.number = *own;
+    else
+      made.nodes.push_back(*own);
+  }
+  if (element_set_ != nullptr) element_set_->members.push_back(made.number);
+  deck_.springs.push_back(std::move(made));
 }
 
 void DeckReader::add_to_element(const DataLine& line) {

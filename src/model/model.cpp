@@ -155,6 +155,7 @@ Model build_model(const config::Config& config) {
   leave_out_dependent_ties(bodies, config.time.output, pairs);
   append_sector_ties(config, links, bodies, pairs, errors);
   append_equations(config, whole, meshes, bodies, pairs, errors);
+  append_springs(config, bodies, pairs, errors);
   errors.raise();
   share_axial_strain(config, bodies, pairs);
 

@@ -68,6 +68,10 @@ using GasketKinds = std::map<std::string, std::shared_ptr<const contact::GasketK
 /// @throws ModelError naming the points of a curve that is not possible
 std::shared_ptr<const contact::GasketKind> make_gasket(const config::Gasket& from);
 
+/// Appends the springs as pairs of their names.
+void append_springs(const config::Config& config, const Bodies& bodies, std::vector<contact::Pair>& pairs,
+                    ErrorCollector& errors);
+
 /// The surfaces are on bodies (check_groups).
 /// @param gaskets  all of the configuration
 /// @param sliding  relative motions that the pair leaves free exactly

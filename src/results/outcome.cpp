@@ -94,7 +94,8 @@ Outcome::Outcome(const creep::Assembly& assembly)
       dissipated_(assembly.pairs().size(), never),
       slip_(assembly.pairs().size(), never),
       interference_(assembly.pairs().size(), never),
-      slid_far_(assembly.pairs().size(), 0) {
+      slid_far_(assembly.pairs().size(), 0),
+      beyond_(assembly.pairs().size(), 0) {
   for (const mechanics::Body& body : assembly.bodies()) moduli_.push_back(scale_modulus(body));
   for (const contact::Pair& pair : assembly.pairs()) rounding_.push_back(round_off_force(assembly, pair));
 }
@@ -132,10 +133,24 @@ void Outcome::follow(double time, std::size_t p, double force) {
   }
 }
 
+void Outcome::observe_closure(double time, const creep::Equilibrium& at, std::size_t p) {
+  const contact::Pair& pair = assembly_.pairs()[p];
+  const contact::GasketKind& kind = pair.gasket->kind();
+  const auto n = std::ssize(pair.coupling.nodes);
+  const double largest = at.contact.closure.segment(pair.first_node, n).maxCoeff(), last = kind.law.last_closure();
+  if (!(largest > last)) return;
+  beyond_[p] = 1;
+  log::warning(
+      "{} '{}': its closure is {:.6g} at t = {:.6g}, beyond the last point of its curve, {:.6g}; from there on the "
+      "last slope goes on",
+      pair.ties_nodes() ? "spring" : "gasket", kind.name, largest, time, last);
+}
+
 void Outcome::observe_contacts(double time, const creep::Equilibrium& at) {
   for (std::size_t p = 0; p < assembly_.pairs().size(); ++p) {
     const contact::Pair& pair = assembly_.pairs()[p];
     if (pair.coupling.has_friction() && slid_far_[p] == 0) observe_slip(time, at, p);
+    if (pair.gasket && beyond_[p] == 0) observe_closure(time, at, p);
     if (pair.coupling.type == contact::ContactType::tied) continue;
     const double force = normal_force(pair, at.contact.multiplier);
     if (!(force > std::max(grown * widths_[p].force, rounding_[p]))) continue;

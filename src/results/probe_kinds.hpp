@@ -28,6 +28,7 @@ std::unique_ptr<Probe> make_probe(const AtPoints& points, const ProbeRequest& re
 /// Makes a probe on a surface of a pair, or on a surface that has faces of one.
 std::unique_ptr<Probe> make_probe(const AtMultipliers& multipliers, const ProbeRequest& request);
 std::unique_ptr<Probe> make_probe(const OverWidth& width, const ProbeRequest& request);
+std::unique_ptr<Probe> make_probe(const OnSpring& spring, const ProbeRequest& request);
 std::unique_ptr<Probe> make_probe(const OnContactSurface& surface, const ProbeRequest& request);
 std::unique_ptr<Probe> make_probe(const AreaInContact& area, const ProbeRequest& request);
 std::unique_ptr<Probe> make_probe(const OnSupports& supports, const ProbeRequest& request);

@@ -52,6 +52,15 @@ void part_of(const Resultant& resultant, double* into) {
   std::ranges::copy(resultant.*part, into);
 }
 
+double spring_force(const contact::Pair& spring, const creep::Equilibrium& at) {
+  return spring.coupling.area.front() * at.contact.multiplier[spring.first_row];
+}
+
+double spring_closure(const contact::Pair& spring, const creep::Equilibrium& at) {
+  const double creep = at.creep_closure.empty() ? 0 : at.creep_closure[static_cast<std::size_t>(spring.first_node)];
+  return creep - at.gaps[spring.first_row] / spring.coupling.area.front();
+}
+
 /// Sets the cylindrical components of the stress about the z axis.
 void cylindrical(const Sample& sample, double* into) {
   const double r = sample.position.head<2>().norm();
@@ -198,12 +207,23 @@ std::vector<OutputVariable> make_variables() {
   of_gaskets("creep_closure", "closure by creep", &ContactValues::creep_closure,
              "part of the closure of a gasket that is creep");
   all.push_back({.name = "gasket_pressure",
-                 .description = "contact pressure as tightness is judged by: its mean over the width, at sections around "
-                                "the probe's `axis`, of which `min` is the least along the circumference",
+                 .description =
+                     "contact pressure as tightness is judged by: its mean over the width, at sections around "
+                     "the probe's `axis`, of which `min` is the least along the circumference",
                  .label = "gasket pressure",
                  .dimension = Dimension::stress,
                  .support = OverWidth{&ContactValues::pressure},
                  .cylindrical = true});
+  all.push_back({.name = "spring_force",
+                 .description = "force of a spring, which `on` names; positive where it presses its ends apart",
+                 .label = "spring force",
+                 .dimension = Dimension::force,
+                 .support = OnSpring{spring_force}});
+  all.push_back({.name = "spring_closure",
+                 .description = "by how much the ends of a spring, which `on` names, have come closer",
+                 .label = "closure",
+                 .dimension = Dimension::length,
+                 .support = OnSpring{spring_closure}});
   all.push_back({.name = "contact_area",
                  .description = "area in contact; its edge is located between the nodes",
                  .label = "contact area",

@@ -25,8 +25,7 @@ class WidthProbe final : public Probe {
       const contact::Pair& pair = request.model.pairs()[part.pair];
       for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
         if (part.multiplier_shares[i] == 0) continue;
-        const Vector3& place =
-            request.model.bodies()[pair.slave_body].mesh().nodes[pair.coupling.nodes[i].node];
+        const Vector3& place = request.model.bodies()[pair.slave_body].mesh().nodes[pair.coupling.nodes[i].node];
         const Vector3 arm = place - origin;
         const double angle = turns ? std::atan2(arm.dot(second), arm.dot(first)) : 0.0;
         nodes_.push_back({part.pair, i, part.multiplier_shares[i] * pair.coupling.area[i], angle,

@@ -64,9 +64,12 @@ void check(const config::Config& given, std::ostream& report, const CheckOptions
   for (std::size_t p = 0; p < model.pairs().size(); ++p) {
     const contact::Pair& pair = model.pairs()[p];
     const auto n = static_cast<double>(pair.coupling.n_rows());
-    text += pair.ties_nodes() ? fmt::format("{}: tied, {} multiplier{}\n", pair.name, pair.coupling.nodes.size(),
-                                            pair.coupling.nodes.size() == 1 ? "" : "s")
-                              : contact_text(pair, config.contacts[p], model);
+    text += pair.ties_nodes() && pair.gasket
+                ? fmt::format("spring '{}': between '{}' and '{}'\n", pair.name,
+                              model.bodies()[pair.master_body].name(), model.bodies()[pair.slave_body].name())
+            : pair.ties_nodes() ? fmt::format("{}: tied, {} multiplier{}\n", pair.name, pair.coupling.nodes.size(),
+                                              pair.coupling.nodes.size() == 1 ? "" : "s")
+                                : contact_text(pair, config.contacts[p], model);
     contact_bytes += 8 * n * n * 12;
   }
   const contact::RigidBodyModes& rigid_body_modes = model.assembly.rigid_body_modes();

@@ -31,7 +31,15 @@ std::pair<double, double> range(const contact::MortarCoupling& coupling) {
 
 }  // namespace
 
-std::string gap_text(const config::Contact& contact, const contact::Pair& pair) {
+namespace {
+
+std::string gasket_text(const contact::Pair& pair) {
+  if (!pair.gasket) return "";
+  const contact::GasketKind& kind = pair.gasket->kind();
+  return fmt::format(", gasket '{}', {:.6g} thick", kind.name, kind.law.thickness());
+}
+
+std::string bare_gap_text(const config::Contact& contact, const contact::Pair& pair) {
   const auto [least, largest] = range(pair.coupling);
   const std::string mesh =
       least == largest ? fmt::format("{:.4g}", least) : fmt::format("{:.4g} to {:.4g}", least, largest);
@@ -48,6 +56,12 @@ std::string gap_text(const config::Contact& contact, const contact::Pair& pair) 
   if (contact.geometric_gap) return "gap from the mesh, " + mesh;
   const bool overlaps = contact.gap.is_constant() && contact.gap({}) < 0;
   return fmt::format("gap {}{}, distance in the mesh {}", contact.gap.text(), overlaps ? " (interference)" : "", mesh);
+}
+
+}  // namespace
+
+std::string gap_text(const config::Contact& contact, const contact::Pair& pair) {
+  return bare_gap_text(contact, pair) + gasket_text(pair);
 }
 
 std::optional<std::string> gap_warning(const model::Model& model, const contact::Pair& pair) {

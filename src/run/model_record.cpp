@@ -181,6 +181,12 @@ class Recorder {
                                           cyclic.angle, cyclic.between[0].name, cyclic.between[1].name));
     for (const config::Rigid& rigid : config_.rigid)
       section.notes.push_back(fmt::format("Surface '{}' moves as a rigid body.", rigid.on.name));
+    for (const config::Spring& spring : config_.springs)
+      section.notes.push_back(fmt::format("Spring '{}': {}.", spring.name,
+                                          spring.stiffness
+                                              ? fmt::format("stiffness {:.6g}", *spring.stiffness)
+                                              : fmt::format("a curve of {} points up to the force {:.6g}",
+                                                            spring.curve->force.size(), spring.curve->force.back())));
     if (!config_.equations.empty())
       section.notes.push_back(fmt::format("{} linear equations tie displacements of nodes.", config_.equations.size()));
     return section;

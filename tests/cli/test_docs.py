@@ -135,6 +135,15 @@ value = 20
 [[contacts]]
 between = ["a", "b"]
 preload = { force = 1 }
+[gaskets.steel]
+thickness = 1
+loading = { closure = [0, 1], pressure = [0, 1] }
+[[springs]]
+name = "steel"
+on = "top"
+ground = true
+direction = [0, 0, 1]
+stiffness = 1
 [[cyclic]]
 between = ["low", "high"]
 angle = 30

@@ -11,6 +11,7 @@
 #include "verification/boxes.hpp"
 #include "verification/case.hpp"
 #include "verification/interrupted.hpp"
+#include "verification/plane_regions.hpp"
 #include "verification/rings.hpp"
 
 namespace creepcontact {
@@ -107,8 +108,9 @@ TEST_P(GasketCreep, RelaxesThePreload) {
       run_case(joint(norton, by_force,
                      fmt::format("[time]\nend = 1e5\ntolerance = 1e-4\noutput = [100, 1e4]\n{}\n", GetParam())),
                geo);
+  const bool is_euler = GetParam().find("euler") != std::string::npos;  // errors of whose steps add up
   for (const double t : {100.0, 1e4, 1e5}) {
-    EXPECT_NEAR(outcome.history.at("contact_pressure", t), relaxed(t), 1e-4 * preload) << t;
+    EXPECT_NEAR(outcome.history.at("contact_pressure", t), relaxed(t), (is_euler ? 1e-3 : 1e-4) * preload) << t;
     const double creep = outcome.history.at("creep_closure", t);
     EXPECT_NEAR(creep, (preload - outcome.history.at("contact_pressure", t)) * (1 / S + 1 / slope), 1e-9);
     EXPECT_NEAR(outcome.history.at("closure", t),
@@ -167,6 +169,73 @@ TEST(Gasket, ResumesExactly) {
   expect_same_when_resumed(directory.config(toml, {}), directory.path(), {300, 700});
 }
 
+/// A steel beam on a layer that cannot pull, under a point load: contact up to pi/(2 beta) from it, and the closure
+/// P beta/(2 k) coth(pi/2) under it, with beta^4 = k/(4 E I).
+TEST(Gasket, CarriesABeamThatLiftsOff) {
+  constexpr double k = 0.01, height = 4, E = 2e5, load = 10;
+  const double beta = std::pow(k / (4 * E * std::pow(height, 3) / 12), 0.25);
+  const std::string toml = section_of("plane_stress") + body("beam", E, 0) + body("block", 1e7, 0) +
+                           "[gaskets.layer]\nthickness = 1\nloading = { closure = [0, 1], pressure = [0, 0.01] }\n" +
+                           contact_table("beam_y0", "block_y1", "gasket = \"layer\"\nslave = \"beam_y0\"") +
+                           support("block_y0", "x") + support("block_y0", "y") + support("beam_x0", "x") +
+                           fmt::format("[[loads]]\non = \"beam_x0\"\ntraction = [0, {}, 0]\n", -load / 2 / height) +
+                           probe("closure", "closure", "on = \"beam_y0\"\nreduce = \"max\"") +
+                           probe("area", "contact_area", "on = \"beam_y0\"") + "[time]\nend = 1\n";
+  const Table history =
+      run_case(toml, regions_geo({{"beam", {0, 400, 200}, {0, height, 2}}, {"block", {0, 400, 50}, {-10, 0, 1}}}))
+          .history;
+  EXPECT_RELATIVE(history.at("closure", 1), load * beta / (2 * k) / std::tanh(M_PI / 2), 3e-3);
+  EXPECT_RELATIVE(history.at("area", 1), M_PI / (2 * beta), 5e-3);
+}
+
+/// Thin and stiff against the bodies, a gasket is the layer of solid that it replaces: E/t per length, no shear.
+TEST(Gasket, IsAThinLayerInTheLimit) {
+  constexpr double thickness = 0.05, layer = 100, E = 1000;
+  const auto run = [&](bool meshed) {
+    const double top = meshed ? thickness : 0;
+    std::string toml = section_of("plane_strain") + body("low", E, 0.3) + body("high", E, 0.3);
+    std::vector<Region> regions{{"low", {0, 2, 16}, {-1, 0, 8}}, {"high", {0, 1, 16}, {top, top + 1, 8}}};
+    if (meshed) {
+      toml +=
+          body("layer", layer, 0) + contact_table("low_y1", "layer_y0", "") + contact_table("layer_y1", "high_y0", "");
+      toml += support("layer_x0", "x");
+      regions.push_back({"layer", {0, 1, 16}, {0, thickness, 1}});
+    } else {
+      toml += fmt::format("[gaskets.layer]\nthickness = {}\nloading = {{ closure = [0, 1], pressure = [0, {}] }}\n",
+                          thickness, layer / thickness) +
+              contact_table("low_y1", "high_y0", "gasket = \"layer\"\nslave = \"high_y0\"");
+    }
+    toml += support("low_y0", "y") + support("low_x0", "x") + support("high_x0", "x") +
+            "[[loads]]\non = \"high_y1\"\npressure = \"1 + x\"\n" +
+            probe("edge", "displacement_y", fmt::format("at = [1, {}, 0]\nbody = \"high\"", top + 1)) +
+            probe("middle", "displacement_y", fmt::format("at = [0, {}, 0]\nbody = \"high\"", top + 1)) +
+            "[time]\nend = 1\n";
+    const Table history = run_case(toml, regions_geo(regions)).history;
+    return std::pair(history.at("middle", 1), history.at("edge", 1));
+  };
+  const auto [middle, edge] = run(false);
+  const auto [meshed_middle, meshed_edge] = run(true);
+  EXPECT_RELATIVE(middle, meshed_middle, 0.01);
+  EXPECT_RELATIVE(edge, meshed_edge, 0.01);
+}
+
+/// A ring of the section, pressed by its weight and held sideways by friction on the gasket alone.
+TEST(Gasket, HoldsAFloatingRingByFriction) {
+  const std::string toml =
+      section_of("axisymmetric") + body("low", 1000, 0) + body("high", 1000, 0) +
+      "[gaskets.soft]\nthickness = 1\nloading = { closure = [0, 0.1, 0.2], pressure = [0, 0.5, 2] }\n" +
+      contact_table("low_y1", "high_y0", "gasket = \"soft\"\nfriction = 0.3") + support("low_y0", "y") +
+      "[[loads]]\non = \"high_y1\"\npressure = \"0.4 + 0.4*t\"\n[[loads]]\non = \"high_x0\"\npressure = \"0.02*t\"\n" +
+      probe("closure", "closure", "on = \"low_y1\"") + probe("pressure", "gasket_pressure", "on = \"low_y1\"") +
+      probe("shear", "contact_shear", "on = \"low_y1\"\nreduce = \"max\"") + "[time]\nend = 2\noutput = [1]\n";
+  const Table history =
+      run_case(toml, regions_geo({{"low", {100, 104, 4}, {0, 2, 2}}, {"high", {100, 104, 6}, {2, 3, 2}}})).history;
+  EXPECT_NEAR(history.at("pressure", 1), 0.8, 1e-9);
+  EXPECT_NEAR(history.at("pressure", 2), 1.2, 1e-9);
+  EXPECT_NEAR(history.at("closure", 1), 0.1 + 0.1 * 0.3 / 1.5, 2e-3);
+  EXPECT_GT(history.at("shear", 2), 1e-3);
+}
+
 TEST(Gasket, SaysWhatIsNotPossible) {
   const auto message = [](const std::string& gasket, const std::string& contact) {
     return message_of<Error>([&] { run_case(joint(gasket, contact, "[time]\nend = 1\n"), geo); });
@@ -174,6 +243,81 @@ TEST(Gasket, SaysWhatIsNotPossible) {
   EXPECT_TRUE(says(message("", "type = \"tied\""), {"gasket", "tied"}));
   EXPECT_TRUE(says(message("creep = []\nrelaxation = { factor = 0.8, pressure = 50, area = 1, time = 4 }", by_force),
                    {"stiffness"}));
+}
+
+// Springs between the two bars, each of 300 N/mm, whose outer ends are moved.
+
+std::string sprung(const std::string& spring, const std::string& moved, const std::string& time) {
+  std::string toml = "[mesh]\nfile = \"case.geo\"\norder = 2\n" + body("low", modulus, 0) + body("high", modulus, 0) +
+                     "[[springs]]\nname = \"washer\"\ndirection = [0, 0, 2]\n" + spring + "\n";
+  for (const std::string name : {"low", "high"}) toml += support(name + "_x0", "x") + support(name + "_y0", "y");
+  toml += support("low_z0", "z") + support("high_z1", "z", moved);
+  return toml + probe("force", "spring_force", "on = \"washer\"") +
+         probe("closure", "spring_closure", "on = \"washer\"") + probe("wall", "reaction_z", "on = \"low_z0\"") +
+         "[time]\n" + time;
+}
+
+const std::string faces = "between = [\"low_z1\", \"high_z0\"]\n";
+
+TEST(Spring, PushesAndPullsBetweenTheMeansOfSurfaces) {
+  const Table history =
+      run_case(sprung(faces + "stiffness = 150", "{ t = [0, 1, 2], values = [0, -1, 1] }", "end = 2\noutput = [1]\n"),
+               geo)
+          .history;
+  EXPECT_NEAR(history.at("force", 1), 75, 1e-9);
+  EXPECT_NEAR(history.at("closure", 1), 0.5, 1e-11);
+  EXPECT_NEAR(history.at("wall", 1), 75, 1e-9);
+  EXPECT_NEAR(history.at("force", 2), -75, 1e-9);
+}
+
+TEST(Spring, FollowsACurveAndDoesNotPullBelowItsFirstForce) {
+  const std::string curve = "curve = { closure = [0, 0.2, 0.5], force = [0, 60, 90] }";
+  const Table history =
+      run_case(sprung(faces + curve, "{ t = [0, 1, 2], values = [0, -0.9, 1] }", "end = 2\noutput = [1]\n"), geo)
+          .history;
+  // closure + force/150 = 0.9 on the second piece, of 100 N/mm
+  EXPECT_NEAR(history.at("force", 1), (0.9 - 0.2 + 60 / 100.0) / (1 / 150.0 + 1 / 100.0), 1e-9);
+  EXPECT_EQ(history.at("force", 2), 0);
+  EXPECT_NEAR(history.at("closure", 2), -1, 1e-9);
+}
+
+TEST(Spring, HasAPreloadWhereNothingHasMoved) {
+  for (const char* spring : {"stiffness = 150", "curve = { closure = [1, 2, 3], force = [0, 150, 300] }"}) {
+    const Table history =
+        run_case(sprung(faces + spring + std::string("\npreload = 40"), "0", "end = 1\n"), geo).history;
+    EXPECT_NEAR(history.at("force", 1), 20, 1e-9) << spring;
+  }
+}
+
+TEST(Spring, ConnectsPointsAndTheGround) {
+  const Table points =
+      run_case(sprung("at = [[0, 0, 5], [0, 0, 5]]\nstiffness = 1e-3", "-1", "end = 1\n"), geo).history;
+  EXPECT_NEAR(points.at("force", 1), 1e-3, 1e-7);
+  const Table ground =
+      run_case(sprung("on = \"high_z0\"\nground = true\nstiffness = 300", "-1", "end = 1\n"), geo).history;
+  EXPECT_NEAR(ground.at("force", 1), 150, 1e-9);
+  EXPECT_NEAR(ground.at("wall", 1), 0, 1e-9);
+}
+
+TEST(Spring, RelaxesByItsCreep) {
+  constexpr double a = 1e-9, n = 4, start = 75, k = 1 / (2 / 300.0 + 1 / 150.0);
+  const Table history = run_case(sprung(faces + "stiffness = 150\ncreep = [{ law = \"norton\", A = 1e-9, n = 4 }]",
+                                        "-1", "end = 1000\ntolerance = 1e-5\noutput = [10]\n"),
+                                 geo)
+                            .history;
+  for (const double t : {10.0, 1000.0})
+    EXPECT_RELATIVE(history.at("force", t), std::pow(std::pow(start, 1 - n) + (n - 1) * a * k * t, 1 / (1 - n)), 3e-5);
+}
+
+TEST(Spring, SaysWhatIsNotPossible) {
+  const auto message = [](const std::string& spring) {
+    return message_of<Error>([&] { run_case(sprung(spring, "0", "end = 1\n"), geo); });
+  };
+  EXPECT_TRUE(says(message("stiffness = 1"), {"no place", "between"}));
+  EXPECT_TRUE(says(message(faces), {"stiffness", "curve"}));
+  EXPECT_TRUE(says(message(faces + "curve = { closure = [0, 1, 2], force = [0, 5, 5] }"), {"washer", "point 2", "5"}));
+  EXPECT_TRUE(says(message("between = [\"low_z1\", \"hihg_z0\"]\nstiffness = 1"), {"hihg_z0"}));
+  EXPECT_TRUE(says(message("at = [[0, 0, 0], [0, 0, 0]]\nstiffness = 1"), {"same node"}));
 }
 
 }  // namespace

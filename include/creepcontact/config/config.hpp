@@ -315,6 +315,26 @@ struct Contact {
   Location location;
 };
 
+/// The force of a spring over its closure.
+struct SpringCurve {
+  std::vector<double> closure, force;
+};
+
+/// [[springs]]: between two surfaces, of which it takes the means, two points, or a surface and the ground
+struct Spring {
+  std::string name;
+  std::optional<std::array<Reference, 2>> between;
+  std::optional<std::array<std::array<double, 3>, 2>> at;
+  Reference on;
+  bool ground = false;
+  std::array<double, 3> direction{};  ///< from the first to the second: they come closer along it
+  std::optional<double> stiffness;
+  std::optional<SpringCurve> curve;
+  double preload = 0;  ///< force where nothing has moved
+  std::vector<CreepMechanism> creep;
+  Location location;
+};
+
 /// [[cyclic]]: the model is one of the sectors that make up a full circle.
 struct Cyclic {
   std::array<Reference, 2> between;  ///< the second surface is the first, turned about the axis by the angle
@@ -450,6 +470,7 @@ struct Config {
   std::optional<Temperature> temperature;
   std::vector<Gasket> gaskets;
   std::vector<Contact> contacts;
+  std::vector<Spring> springs;
   std::vector<Cyclic> cyclic;
   std::vector<Rigid> rigid;
   std::vector<Equation> equations;

@@ -23,6 +23,8 @@ struct GasketKind {
   /// Its creep laws, for the uniaxial stress -p: the rate of the creep closure is the thickness times that of the
   /// strain. Null: none.
   std::shared_ptr<const material::Material> creep = nullptr;
+  /// What the laws take for the stress, per pressure: 1, or the area of a spring, whose stress is its force.
+  double stress_per_pressure = 1;
 };
 
 /// Immutable; its nodes are the multiplier nodes of a pair.

@@ -41,23 +41,30 @@ class GasketLaw {
   /// unloading @throws std::invalid_argument naming the points, for lists that do not increase, curves that do not
   /// begin at pressure 0, unloading above the loading curve and unloading curves that do not end on it
   GasketLaw(double thickness, std::vector<GasketData> data);
+  /// A spring: the curve for all histories and temperatures, of thickness 1. It pulls if its first pressure is
+  /// negative.
+  /// @throws std::invalid_argument for a curve that does not increase
+  static GasketLaw spring(GasketCurve curve);
 
   double thickness() const { return thickness_; }
   /// Pressure over closure after a largest closure. @param temperature  of the gasket; beyond those given the nearest
   ClosureCurve curve(double largest, double temperature) const;
-  /// The closure at which the first of the loading curves ends; beyond it they are extrapolated.
+  /// The closure at which the first of the loading curves ends, beyond which they are extrapolated; infinity for a line.
   double last_closure() const;
   /// True if it depends on the largest closure.
   bool has_history() const { return !data_.front().unloading.empty(); }
   const std::vector<GasketData>& data() const { return data_; }
 
  private:
+  GasketLaw() = default;
+
   struct Unloading;  // from one largest closure
   Unloading unloading(const GasketData& at, double largest) const;
   void check(const GasketData& of) const;
 
-  double thickness_;
+  double thickness_ = 1;
   std::vector<GasketData> data_;
+  bool pulls_ = false;
 };
 
 }  // namespace creepcontact::contact

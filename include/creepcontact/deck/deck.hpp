@@ -28,6 +28,14 @@ struct ElementBlock {
   Place place(std::size_t element) const;
 };
 
+/// An element of *SPRING.
+struct SpringElement {
+  std::string type;  ///< SPRINGA, SPRING1 or SPRING2
+  std::int64_t number = 0;
+  Numbers nodes;  ///< two; one of SPRING1, whose other end is the ground
+  Place place;
+};
+
 struct Set {
   std::string name;  ///< as written
   Numbers members;   ///< in the order of the deck; those listed one by one may repeat
@@ -122,6 +130,7 @@ struct Deck {
   Numbers node_numbers;
   std::vector<Vector3> positions;  ///< by node_numbers
   std::vector<ElementBlock> elements;
+  std::vector<SpringElement> springs;
   std::map<std::string, Set> node_sets, element_sets;  ///< by name in upper case
   std::map<std::string, Surface> surfaces;
   std::map<std::string, Material> materials;

@@ -35,6 +35,7 @@ class Outcome {
   /// A state between output times. Does nothing before the first output.
   void observe(const StepValues& values);
   /// Warns once per contact that has slid by more than an element, and keeps the width of contact zones.
+  void observe_closure(double time, const creep::Equilibrium& at, std::size_t p);
   void observe_contacts(double time, const creep::Equilibrium& at);
 
   /// What to say of contacts that few elements resolve where they carry most, and that are open at the last output:
@@ -87,6 +88,7 @@ class Outcome {
   std::vector<double> dissipated_, slip_;      // of every contact pair at the last output; NaN: no friction
   std::vector<double> interference_;           // likewise; NaN: no preload
   std::vector<char> slid_far_;                 // by pair: warned of
+  std::vector<char> beyond_;                   // likewise, of a gasket closed beyond its curve
   static constexpr auto saved_members =
       std::tuple{Member{"started", &Outcome::started_},   Member{"last_output", &Outcome::last_output_},
                  Member{"forces", &Outcome::forces_},     Member{"widths", &Outcome::widths_},

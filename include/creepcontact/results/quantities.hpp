@@ -47,6 +47,13 @@ struct OverWidth {
   double ContactValues::*value;
 };
 
+/// A spring, which the probe names.
+struct OnSpring {
+  static constexpr std::string_view places = "spring";
+  static constexpr bool is_sum = false;
+  double (*evaluate)(const contact::Pair& spring, const creep::Equilibrium& at);
+};
+
 /// Force and moment on a part of a body.
 struct Resultant {
   Vector3 force = Vector3::Zero();
@@ -87,7 +94,7 @@ struct OnPlane {
   void (*evaluate)(const Resultant& resultant, double* components);
 };
 
-using Support = std::variant<AtNodes, AtPoints, AtMultipliers, OverWidth, OnContactSurface, AreaInContact, OnSupports,
+using Support = std::variant<AtNodes, AtPoints, AtMultipliers, OverWidth, OnSpring, OnContactSurface, AreaInContact, OnSupports,
                              OnCrossSection, OnPlane>;
 
 struct OutputVariable {

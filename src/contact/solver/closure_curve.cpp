@@ -15,7 +15,7 @@ ClosureCurve::Line ClosureCurve::line(double closure) const {
   const Index i = piece(closure);
   const Eigen::Vector2d &from = points_[static_cast<std::size_t>(i)], &to = points_[static_cast<std::size_t>(i) + 1];
   const double slope = (to.y() - from.y()) / (to.x() - from.x());
-  return {from.x() - from.y() / slope, slope};
+  return {from.x() - from.y() / slope, slope, pulls_};
 }
 
 double ClosureCurve::pressure(double closure) const {

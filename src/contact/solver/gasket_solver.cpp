@@ -79,6 +79,8 @@ class GasketSolver final : public ContactSolver {
     std::vector<ClosureCurve::Line> lines;
     for (const std::size_t i : gaskets_) {
       const ContactNode& node = problem_.nodes[i];
+      // A spring that does not pull lets go of its row.
+      if (node.set == AdmissibleSet::space && !load.curves[i].pulls()) linear_.nodes[i].set = AdmissibleSet::half_line;
       lines.push_back(load.curves[i].line(closure[static_cast<Index>(i)]));
       compliance[node.first_row] = node.gasket_area / lines.back().slope;
       shifted.gap[node.first_row] += node.gasket_area * lines.back().zero;
@@ -96,7 +98,7 @@ class GasketSolver final : public ContactSolver {
       double& gap = found.gap[row];
       gap -= linear_.compliance[row] * pressure + node.gasket_area * lines[k].zero;
       found.state.closure[static_cast<Index>(gaskets_[k])] =
-          pressure > 0 ? lines[k].closure(pressure) : -gap / node.gasket_area;
+          pressure > 0 || lines[k].pulls ? lines[k].closure(pressure) : -gap / node.gasket_area;
     }
     return found;
   }

@@ -9,12 +9,15 @@
 namespace creepcontact::contact {
 
 /// A continuous function of straight pieces: zero up to its first point, increasing beyond it; beyond the last point
-/// its last piece goes on. Closures and pressures are in the units of the model.
+/// its last piece goes on. One that pulls, of a spring, has its first piece before the first point too. Closures and
+/// pressures are in the units of the model.
 class ClosureCurve {
  public:
   ClosureCurve() = default;
-  /// @param points  (closure, pressure), at least two, both increasing strictly; the first pressure is 0
-  explicit ClosureCurve(std::vector<Eigen::Vector2d> points) : points_(std::move(points)) {}
+  /// @param points  (closure, pressure), at least two, both increasing strictly; the first pressure is 0 unless it
+  /// pulls
+  explicit ClosureCurve(std::vector<Eigen::Vector2d> points, bool pulls = false)
+      : points_(std::move(points)), pulls_(pulls) {}
 
   /// True in nodes without a gasket.
   bool empty() const { return points_.empty(); }
@@ -27,11 +30,13 @@ class ClosureCurve {
   void scale(double factor) {
     for (Eigen::Vector2d& point : points_) point.y() *= factor;
   }
-  /// A line max(0, slope (closure - zero)).
+  bool pulls() const { return pulls_; }
+  /// A line max(0, slope (closure - zero)), or without the bound if it pulls.
   struct Line {
     double zero = 0;
     double slope = 0;  ///< [pressure/length], positive
-    double pressure(double closure) const { return closure > zero ? slope * (closure - zero) : 0.0; }
+    bool pulls = false;
+    double pressure(double closure) const { return pulls || closure > zero ? slope * (closure - zero) : 0.0; }
     double closure(double pressure) const { return zero + pressure / slope; }
   };
   /// The line of the piece that ends at this closure or contains it; below the first point that of the first piece.
@@ -41,6 +46,7 @@ class ClosureCurve {
   Index piece(double closure) const;
 
   std::vector<Eigen::Vector2d> points_;
+  bool pulls_ = false;
 };
 
 }  // namespace creepcontact::contact

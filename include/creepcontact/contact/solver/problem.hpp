@@ -43,7 +43,7 @@ struct ContactNode {
   int first_row = 0;
   int n_rows = 1;  ///< half_line: 1; space: any number; cone: the normal row and one or two tangential ones
   int slave_body = 0, master_body = 0;
-  /// Integral of the node's test function [area] if a gasket is between the surfaces; else 0. Not of tied nodes.
+  /// Integral of the node's test function [area] if a gasket or a spring is there; else 0. Tied nodes are springs.
   double gasket_area = 0;
 
   bool has_gasket() const { return gasket_area > 0; }

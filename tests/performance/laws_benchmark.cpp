@@ -1,5 +1,5 @@
-/// Plasticity where nothing yields: one rate of the shrink fit as an axisymmetric section whose materials have a yield
-/// stress that nothing reaches, over one without it, in turn in the same run.
+/// What laws add to one rate of the shrink fit as an axisymmetric section, over the rate without them, in turn in the
+/// same run: plasticity where nothing yields, and a gasket between the surfaces.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <omp.h>
@@ -50,11 +50,10 @@ class Fit {
   std::vector<double> y_, rate_;
 };
 
-void elastic_range(benchmark::State& state) {
+void compare(benchmark::State& state, const std::vector<std::string>& more) {
   omp_set_num_threads(1);
   const auto n = static_cast<int>(state.range(0));
-  Fit without(n, {}), with(n, {"materials.rotor.plasticity={yield_stress=1e6}",
-                               "materials.wheel.plasticity={yield_stress=1e6,kinematic=[{C=1e4,gamma=100}]}"});
+  Fit without(n, {}), with(n, more);
   double least_with = 1e300, least_without = 1e300;
   for ([[maybe_unused]] auto _ : state) {
     least_without = std::min(least_without, without.seconds());
@@ -63,7 +62,19 @@ void elastic_range(benchmark::State& state) {
   state.counters["states"] = without.unknowns();
   state.counters["of_without"] = least_with / least_without;
 }
+
+void elastic_range(benchmark::State& state) {
+  compare(state, {"materials.rotor.plasticity={yield_stress=1e6}",
+                  "materials.wheel.plasticity={yield_stress=1e6,kinematic=[{C=1e4,gamma=100}]}"});
+}
 BENCHMARK(elastic_range)->Arg(1)->Arg(8)->Arg(32)->Unit(benchmark::kMillisecond);
+
+void gasket(benchmark::State& state) {
+  compare(state, {"gaskets.foil={thickness=0.1,loading={closure=[0,0.02,0.1],pressure=[0,100,2000]},"
+                  "unloading={from=[50,500],modulus=[2e4,1e5]}}",
+                  "contacts[0].gasket=foil"});
+}
+BENCHMARK(gasket)->Arg(1)->Arg(8)->Arg(32)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace creepcontact::test
