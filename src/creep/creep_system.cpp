@@ -16,8 +16,6 @@
 namespace creepcontact::creep {
 namespace {
 
-/// A preconditioner need not follow every step: gamma may be off by this factor.
-constexpr double same_gamma = 1.25;
 /// Part of the strain of the tolerance at which hardening begins to count.
 constexpr double min_share = 0.3;
 constexpr double near_accepted = 0.1;  // of the tolerance: an evaluation so near represents an accepted point
@@ -25,18 +23,19 @@ constexpr double same_value = 1e-9;    // of equal values at points that symmetr
 constexpr double min_sliding_step =
     1e-6;  // relative to the time: a body that slides off in so short a step does slide off
 
-void resize_tangents(const std::vector<MaterialPoints>& points,
-                     std::vector<std::vector<material::StressTangent>>& tangents) {
-  tangents.resize(points.size());
-  for (std::size_t b = 0; b < points.size(); ++b) tangents[b].resize(points[b].size());
-}
-
 std::vector<double> min_strains(const Assembly& assembly, const ErrorScale& scale, double tolerance) {
   const StateLayout layout(assembly);
   std::vector<double> result;
   for (std::size_t b = 0; b < assembly.bodies().size(); ++b)
     result.push_back(layout.stride(b) > 0 ? min_share * tolerance * scale.strain()[b]
                                           : material::PointState{}.min_strain);
+  return result;
+}
+
+std::vector<double> min_gasket_strains(const ErrorScale& scale, double tolerance) {
+  std::vector<double> result;
+  for (const double strain : scale.gasket_strain())
+    result.push_back(strain > 0 ? min_share * tolerance * strain : material::PointState{}.min_strain);
   return result;
 }
 
@@ -75,9 +74,7 @@ CreepSystem::CreepSystem(EquilibriumSolver& solver, const ElasticSurvey& survey,
       tolerance_(tolerance),
       yield_steps_(solver.assembly()),
       history_(solver.initial_history()),
-      gaskets_(std::make_unique<GasketCreep>(solver.assembly())) {
-  for (const double strain : scale_.gasket_strain())
-    min_gasket_strains_.push_back(strain > 0 ? min_share * tolerance * strain : material::PointState{}.min_strain);
+      gaskets_(std::make_unique<GasketCreep>(solver.assembly(), min_gasket_strains(scale_, tolerance))) {
   preconditioners_.resize(laws_.points().size());
   for (const MaterialPoints& points : laws_.points())
     local_.push_back(points.has_closed_form() ? nullptr : std::make_unique<MaterialTangent>(points));
@@ -100,7 +97,7 @@ double CreepSystem::load_time(double t) const {
 
 CreepStrains CreepSystem::strains(std::span<const double> y) {
   laws_.layout().views(y, views_);
-  gaskets_->closures(laws_.layout().gaskets(y), closures_);
+  gaskets_->closures(y, closures_);
   return {views_, closures_};
 }
 
@@ -158,8 +155,7 @@ double CreepSystem::rate_change(double from, std::span<const double> y, double t
       laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
         points.rate(laws_.state(b, at, at.y), laws_.layout().part(b, std::span(rate)), {});
       });
-      gaskets_->rate(at.equilibrium, laws_.layout().gaskets(std::span(at.y)), min_gasket_strains_,
-                     laws_.layout().gaskets(std::span(rate)));
+      gaskets_->rate(at.equilibrium, at.y, rate);
     });
     return rate;
   };
@@ -201,102 +197,16 @@ void CreepSystem::rate(double t, std::span<const double> y, std::span<double> ra
   ++rate_evaluations_;
   const auto lap = watch_.lap(Part::material);
   const bool with_tangents = std::exchange(tangents_needed_, false);
-  if (with_tangents) resize_tangents(laws_.points(), step_.tangents);
+  if (with_tangents) resize_tangents();
   together(team(), [&] {
     laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
       const auto tangents = with_tangents ? std::span(step_.tangents[b]) : std::span<material::StressTangent>();
       points.rate(laws_.state(b, at, y), laws_.layout().part(b, rate), tangents);
     });
-    gaskets_->rate(at.equilibrium, laws_.layout().gaskets(y), min_gasket_strains_, laws_.layout().gaskets(rate));
+    gaskets_->rate(at.equilibrium, y, rate);
     step_.has_tangents = step_.has_tangents || with_tangents;
     if (!numerics::is_finite(rate)) throw RecoverableError(describe_overflow(at, rate));
   });
-}
-
-void CreepSystem::jacobian_times(double t, std::span<const double> y, std::span<const double> v,
-                                 std::span<double> product) {
-  const Evaluation& at = evaluate_step(t, y);
-  ++jacobian_products_;
-  const Eigen::VectorXd multiplier = solver_.linearized(at.equilibrium, strains(v), stress_change_);
-  const auto lap = watch_.lap(Part::material);
-  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
-    points.derivative(laws_.state(b, at, y), {stress_change_[b], laws_.layout().part(b, v)},
-                      laws_.layout().part(b, product));
-  });
-  gaskets_->derivative(at.equilibrium, laws_.layout().gaskets(y), min_gasket_strains_, multiplier,
-                       laws_.layout().gaskets(v), laws_.layout().gaskets(product));
-}
-
-const std::vector<std::vector<material::StressTangent>>& CreepSystem::step_tangents() {
-  tangents_needed_ = true;
-  if (step_.has_tangents) return step_.tangents;
-  resize_tangents(laws_.points(), step_.tangents);
-  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
-    points.tangents(laws_.state(b, step_, step_.y), step_.tangents[b]);
-  });
-  step_.has_tangents = true;
-  return step_.tangents;
-}
-
-void CreepSystem::prepare_preconditioner(double t, std::span<const double> y) {
-  const Evaluation& at = evaluate_step(t, y);
-  const auto lap = watch_.lap(Part::material);
-  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints&) {
-    if (!local_[b]) preconditioners_[b].linearize(laws_.state(b, at, y), step_tangents()[b]);
-  });
-  gasket_jacobians_ = gaskets_->jacobians(at.equilibrium, laws_.layout().gaskets(y), min_gasket_strains_);
-  local_gamma_ = 0;
-}
-
-void CreepSystem::precondition(double gamma, std::span<const double> r, std::span<double> z) {
-  const auto lap = watch_.lap(Part::material);
-  const bool prepared = gamma < same_gamma * local_gamma_ && local_gamma_ < same_gamma * gamma;
-  if (!prepared) local_gamma_ = gamma;
-  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints&) {
-    const std::span<const double> right = laws_.layout().part(b, r);
-    const std::span<double> result = laws_.layout().part(b, z);
-    if (!local_[b]) return preconditioners_[b].apply(gamma, right, result);
-    // At the last evaluation, which may be nearer than the point prepared for.
-    if (!prepared) local_[b]->prepare(gamma, laws_.state(b, step_, step_.y));
-    local_[b]->solution(right, {}, result);
-  });
-  gaskets_->precondition(gasket_jacobians_, gasket_flexibility(), gamma, laws_.layout().gaskets(r),
-                         laws_.layout().gaskets(z));
-}
-
-Eigen::VectorXd CreepSystem::gasket_flexibility() const {
-  if (gaskets_->empty()) return {};
-  return contact::row_flexibility(solver_.interface().problem()) + step_.equilibrium.contact.compliance;
-}
-
-void CreepSystem::precondition_once(double t, std::span<const double> y, double gamma, std::span<const double> r,
-                                    std::span<double> z) {
-  const Evaluation& at = evaluate_step(t, y);
-  const auto lap = watch_.lap(Part::material);
-  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints&) {
-    const PointsState state = laws_.state(b, at, y);
-    const std::span<const double> right = laws_.layout().part(b, r);
-    const std::span<double> result = laws_.layout().part(b, z);
-    if (local_[b])
-      local_[b]->solve_points(gamma, state, right, result);
-    else
-      PointPreconditioner::apply_once(state, step_tangents()[b], gamma, right, result);
-  });
-  gaskets_->precondition(gaskets_->jacobians(at.equilibrium, laws_.layout().gaskets(y), min_gasket_strains_),
-                         gasket_flexibility(), gamma, laws_.layout().gaskets(r), laws_.layout().gaskets(z));
-}
-
-void CreepSystem::prepare_tangent(double t, std::span<const double> y, double gamma) {
-  const Evaluation& at = evaluate_step(t, y);
-  if (!tangent_) tangent_.emplace(solver_, laws_.points(), *gaskets_, laws_.layout(), watch_);
-  std::vector<PointsState> states;
-  for (std::size_t b = 0; b < laws_.points().size(); ++b) states.push_back(laws_.state(b, at, y));
-  tangent_->prepare(gamma, states, gaskets_->jacobians(at.equilibrium, laws_.layout().gaskets(y), min_gasket_strains_),
-                    at.equilibrium.stiffness_scale);
-}
-
-void CreepSystem::solve_tangent(std::span<const double> r, std::span<double> z) {
-  tangent_->solve(step_.equilibrium.contact, r, z);
 }
 
 double CreepSystem::smallest_start_exponent(double t, const Evaluation& at) const {
@@ -304,8 +214,7 @@ double CreepSystem::smallest_start_exponent(double t, const Evaluation& at) cons
   laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
     smallest = std::min(smallest, points.start_exponent(t, laws_.state(b, at, at.y)));
   });
-  smallest = std::min(smallest, gaskets_->start_exponent(t, at.equilibrium, laws_.layout().gaskets(std::span(at.y)),
-                                                         min_gasket_strains_));
+  smallest = std::min(smallest, gaskets_->start_exponent(t, at.equilibrium, at.y));
   return team().min(smallest);
 }
 
@@ -320,8 +229,7 @@ void CreepSystem::start_increment(double t, std::span<const double> y, double st
   laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
     points.add_increment(t, duration, laws_.state(b, at, y), laws_.layout().part(b, change));
   });
-  gaskets_->add_increment(t, duration, at.equilibrium, laws_.layout().gaskets(y), min_gasket_strains_,
-                          laws_.layout().gaskets(change));
+  gaskets_->add_increment(t, duration, at.equilibrium, y, change);
 }
 
 std::optional<CreepSystem::Extreme> CreepSystem::largest(const material::StateVariable& scalar, std::size_t body,
@@ -339,35 +247,6 @@ std::optional<CreepSystem::Extreme> CreepSystem::largest(const material::StateVa
   }
   team().broadcast(extreme, team().rank_of_max(extreme[0]));
   return Extreme{extreme[0], body, {extreme[1], extreme[2], extreme[3]}};
-}
-
-double CreepSystem::stable_step(double t, std::span<const double> y) {
-  evaluate_step(t, y);
-  const auto lap = watch_.lap(Part::material);
-  step_tangents();
-  double fastest = 0;
-  if (!gaskets_->empty())
-    fastest = gaskets_->stiffest_rate(
-        gaskets_->jacobians(step_.equilibrium, laws_.layout().gaskets(y), min_gasket_strains_), gasket_flexibility());
-  fastest = team().max(fastest);
-  const double of_bodies = std::ranges::min(relaxation_times(step_));
-  return 2 * (fastest > 0 ? std::min(of_bodies, 1 / fastest) : of_bodies);
-}
-
-std::vector<double> CreepSystem::relaxation_times(const Evaluation& at) const {
-  std::vector<double> times(laws_.points().size(), std::numeric_limits<double>::infinity());
-  std::vector<material::StressTangent> found;
-  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
-    const PointsState state = laws_.state(b, at, at.y);
-    if (!at.has_tangents) {
-      found.resize(points.size());
-      points.tangents(state, found);
-    }
-    const double fastest = points.stiffest_rate(state, at.has_tangents ? at.tangents[b] : found);
-    if (fastest > 0) times[b] = 1 / fastest;
-  });
-  team().min(times);
-  return times;
 }
 
 std::vector<std::optional<RelaxationTime>> CreepSystem::initial_relaxation(const Evaluation& at, double near) const {

@@ -89,12 +89,11 @@ class Survey {
     result.gasket_strain.resize(strain.size());
     std::ranges::transform(strain, result.gasket_strain, result.gasket_strain.begin(),
                            [](double a, double b) { return std::max(a, b); });
-    const GasketCreep gaskets(solver_.assembly());
-    const std::vector<double> no_state(StateLayout(solver_.assembly()).n_gaskets());
-    const std::vector<double> min_strain(strain.size(), material::PointState{}.min_strain);
+    const GasketCreep gaskets(solver_.assembly(),
+                              std::vector<double>(strain.size(), material::PointState{}.min_strain));
+    const std::vector<double> no_state(StateLayout(solver_.assembly()).size());
     const Team& team = solver_.assembly().team();
-    result.singular_start =
-        result.singular_start || team.min(gaskets.start_exponent(0, equilibrium_, no_state, min_strain)) < 1;
+    result.singular_start = result.singular_start || team.min(gaskets.start_exponent(0, equilibrium_, no_state)) < 1;
   }
 
   void look_at_laws(const std::vector<double>& stress, ElasticSurvey& result) const {

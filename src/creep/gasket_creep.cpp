@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace creepcontact::creep {
 namespace {
@@ -42,8 +42,10 @@ struct Seen {
 
 }  // namespace
 
-GasketCreep::GasketCreep(const Assembly& assembly) {
-  std::size_t first = 0;
+GasketCreep::GasketCreep(const Assembly& assembly, std::vector<double> min_strain)
+    : min_strain_(std::move(min_strain)) {
+  const StateLayout layout(assembly);
+  std::size_t first = layout.size() - layout.n_gaskets();
   for (std::size_t p = 0; p < assembly.pairs().size(); ++p) {
     const contact::Pair& pair = assembly.pairs()[p];
     n_contact_nodes_ += pair.coupling.nodes.size();
@@ -74,8 +76,7 @@ void GasketCreep::for_each_state(const Work& work) const {
 }
 
 template <typename Work>
-void GasketCreep::for_each_node(const Equilibrium& at, std::span<const double> state,
-                                const std::vector<double>& min_strain, const Work& work) const {
+void GasketCreep::for_each_node(const Equilibrium& at, std::span<const double> state, const Work& work) const {
   for (const OfPair& gasket : gaskets_) {
     const std::vector<double> temperatures = gasket.contact->gasket->temperatures(at.time);
     for (std::size_t i = 0; i < gasket.n_nodes; ++i) {
@@ -87,7 +88,7 @@ void GasketCreep::for_each_node(const Equilibrium& at, std::span<const double> s
                 {},
                 at.time,
                 temperatures[i],
-                min_strain[gasket.pair]};
+                min_strain_[gasket.pair]};
       const auto see = [&](const Mechanism& mechanism) {
         seen.parameters.clear();
         for (const Function& parameter : mechanism.law->parameters())
@@ -106,9 +107,8 @@ void GasketCreep::closures(std::span<const double> state, std::vector<double>& i
   });
 }
 
-void GasketCreep::rate(const Equilibrium& at, std::span<const double> state, const std::vector<double>& min_strain,
-                       std::span<double> rate) const {
-  for_each_node(at, state, min_strain, [&](const OfPair& gasket, std::size_t, std::size_t first, const auto& see) {
+void GasketCreep::rate(const Equilibrium& at, std::span<const double> state, std::span<double> rate) const {
+  for_each_node(at, state, [&](const OfPair& gasket, std::size_t, std::size_t first, const auto& see) {
     Tensor6 sum = Tensor6::Zero();
     for (const Mechanism& mechanism : gasket.mechanisms)
       mechanism.law->rate(see(mechanism),
@@ -117,10 +117,9 @@ void GasketCreep::rate(const Equilibrium& at, std::span<const double> state, con
   });
 }
 
-void GasketCreep::derivative(const Equilibrium& at, std::span<const double> state,
-                             const std::vector<double>& min_strain, const Eigen::VectorXd& multiplier,
+void GasketCreep::derivative(const Equilibrium& at, std::span<const double> state, const Eigen::VectorXd& multiplier,
                              std::span<const double> change, std::span<double> product) const {
-  for_each_node(at, state, min_strain, [&](const OfPair& gasket, std::size_t i, std::size_t first, const auto& see) {
+  for_each_node(at, state, [&](const OfPair& gasket, std::size_t i, std::size_t first, const auto& see) {
     const Tensor6 stress =
         stress_of(gasket.stress_per_pressure * multiplier[gasket.contact->first_row + gasket.contact->coupling.row(i)]);
     const Tensor6 strain = tensor_of(change[first]);
@@ -134,10 +133,9 @@ void GasketCreep::derivative(const Equilibrium& at, std::span<const double> stat
   });
 }
 
-GasketCreep::Jacobians GasketCreep::jacobians(const Equilibrium& at, std::span<const double> state,
-                                              const std::vector<double>& min_strain) const {
+GasketCreep::Jacobians GasketCreep::jacobians(const Equilibrium& at, std::span<const double> state) const {
   Jacobians result;
-  for_each_node(at, state, min_strain, [&](const OfPair& gasket, std::size_t, std::size_t, const auto& see) {
+  for_each_node(at, state, [&](const OfPair& gasket, std::size_t, std::size_t, const auto& see) {
     const auto n = static_cast<Eigen::Index>(gasket.n_state);
     Eigen::MatrixXd& jacobian = result.emplace_back(n, n + 1);
     for (Eigen::Index j = 0; j <= n; ++j) {
@@ -158,10 +156,9 @@ GasketCreep::Jacobians GasketCreep::jacobians(const Equilibrium& at, std::span<c
   return result;
 }
 
-double GasketCreep::start_exponent(double t, const Equilibrium& at, std::span<const double> state,
-                                   const std::vector<double>& min_strain) const {
+double GasketCreep::start_exponent(double t, const Equilibrium& at, std::span<const double> state) const {
   double smallest = 1;
-  for_each_node(at, state, min_strain, [&](const OfPair& gasket, std::size_t, std::size_t, const auto& see) {
+  for_each_node(at, state, [&](const OfPair& gasket, std::size_t, std::size_t, const auto& see) {
     for (const Mechanism& mechanism : gasket.mechanisms) {
       material::PointState point = see(mechanism);
       point.time = t;
@@ -172,8 +169,8 @@ double GasketCreep::start_exponent(double t, const Equilibrium& at, std::span<co
 }
 
 void GasketCreep::add_increment(double t, double duration, const Equilibrium& at, std::span<const double> state,
-                                const std::vector<double>& min_strain, std::span<double> change) const {
-  for_each_node(at, state, min_strain, [&](const OfPair& gasket, std::size_t, std::size_t first, const auto& see) {
+                                std::span<double> change) const {
+  for_each_node(at, state, [&](const OfPair& gasket, std::size_t, std::size_t first, const auto& see) {
     Tensor6 sum = Tensor6::Zero();
     for (const Mechanism& mechanism : gasket.mechanisms) {
       material::PointState point = see(mechanism);

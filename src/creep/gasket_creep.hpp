@@ -12,33 +12,31 @@
 
 namespace creepcontact::creep {
 
-/// All creeping gaskets of an assembly. Vectors of states are the gaskets' part of y (StateLayout::gaskets()).
+/// All creeping gaskets of an assembly. States, their rates and changes are whole vectors like y (StateLayout), of
+/// which the gaskets' part is read or set.
 class GasketCreep {
  public:
-  /// @param assembly  must outlive the object
-  explicit GasketCreep(const Assembly& assembly);
+  /// @param assembly  must outlive the object @param min_strain  per pair, see material::PointState
+  GasketCreep(const Assembly& assembly, std::vector<double> min_strain);
 
   /// True if no gasket creeps, or another process has them.
   bool empty() const { return gaskets_.empty(); }
   /// Sets the closures by creep, per node of the contact problem; of no size if no gasket creeps.
   void closures(std::span<const double> state, std::vector<double>& into) const;
 
-  /// Rates at the pressures of an equilibrium. @param min_strain  see material::PointState; of each pair
-  void rate(const Equilibrium& at, std::span<const double> state, const std::vector<double>& min_strain,
-            std::span<double> rate) const;
+  /// Rates at the pressures of an equilibrium.
+  void rate(const Equilibrium& at, std::span<const double> state, std::span<double> rate) const;
   /// Their change. @param multiplier  change of the multipliers @param change  of the state
-  void derivative(const Equilibrium& at, std::span<const double> state, const std::vector<double>& min_strain,
-                  const Eigen::VectorXd& multiplier, std::span<const double> change, std::span<double> product) const;
+  void derivative(const Equilibrium& at, std::span<const double> state, const Eigen::VectorXd& multiplier,
+                  std::span<const double> change, std::span<double> product) const;
   /// The smallest start exponent (CreepLaw::start_exponent), and increments (CreepLaw::increment) at constant pressure.
-  double start_exponent(double t, const Equilibrium& at, std::span<const double> state,
-                        const std::vector<double>& min_strain) const;
+  double start_exponent(double t, const Equilibrium& at, std::span<const double> state) const;
   void add_increment(double t, double duration, const Equilibrium& at, std::span<const double> state,
-                     const std::vector<double>& min_strain, std::span<double> change) const;
+                     std::span<double> change) const;
 
   /// The Jacobian at each node, n_state x n_state in turn: by the state alone, and by the pressure (column n_state).
   using Jacobians = std::vector<Eigen::MatrixXd>;
-  Jacobians jacobians(const Equilibrium& at, std::span<const double> state,
-                      const std::vector<double>& min_strain) const;
+  Jacobians jacobians(const Equilibrium& at, std::span<const double> state) const;
   /// z = (I - gamma J)^-1 r node by node, where the pressure of a node follows its own closure.
   /// @param flexibility  F_ii + compliance per row, of the contact problem
   void precondition(const Jacobians& at, const Eigen::VectorXd& flexibility, double gamma, std::span<const double> r,
@@ -52,7 +50,7 @@ class GasketCreep {
   /// The solution z for a change of the multipliers.
   void solution(const Jacobians& at, double gamma, std::span<const double> r, const Eigen::VectorXd& multiplier,
                 std::span<double> z) const;
-  /// Largest eigenvalue of -J over the nodes, the pressure of a node following its own closure.
+  /// A bound on the eigenvalues of -J over the nodes, the pressure of a node following its own closure.
   double stiffest_rate(const Jacobians& at, const Eigen::VectorXd& flexibility) const;
 
  private:
@@ -69,11 +67,11 @@ class GasketCreep {
   };
   /// Calls work(gasket, node, its first state, sight) for all nodes; `sight` makes the PointState of a mechanism.
   template <typename Work>
-  void for_each_node(const Equilibrium& at, std::span<const double> state, const std::vector<double>& min_strain,
-                     const Work& work) const;
+  void for_each_node(const Equilibrium& at, std::span<const double> state, const Work& work) const;
   template <typename Work>
   void for_each_state(const Work& work) const;
 
+  std::vector<double> min_strain_;  // per pair
   std::vector<OfPair> gaskets_;
   std::size_t n_contact_nodes_ = 0;
 };

@@ -108,8 +108,7 @@ void TangentSystem::solve(const contact::ContactState& contact, std::span<const 
       sides[b] = {side.factor.get(), side.free};
     });
   }
-  const GasketCreep::Eliminated gaskets =
-      gaskets_.eliminated(of_gaskets_, gamma_, layout_.gaskets(r), interface_->n_rows());
+  const GasketCreep::Eliminated gaskets = gaskets_.eliminated(of_gaskets_, gamma_, r, interface_->n_rows());
   contact::ContactState near = contact;
   if (near.compliance.size() > 0) near.compliance = near.compliance / stiffness_scale_ + gaskets.compliance;
   TangentContact rows{*interface_, near, gaskets.opening};
@@ -121,7 +120,7 @@ void TangentSystem::solve(const contact::ContactState& contact, std::span<const 
     body.discretization().tangent_strain(side.displacement, side.material->moduli(), side.stress, side.strain);
     side.material->solution(layout_.part(b, r), side.strain, layout_.part(b, z));
   });
-  gaskets_.solution(of_gaskets_, gamma_, layout_.gaskets(r), change.multiplier, layout_.gaskets(z));
+  gaskets_.solution(of_gaskets_, gamma_, r, change.multiplier, z);
   ++solves_;
 }
 

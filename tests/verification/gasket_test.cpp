@@ -245,6 +245,31 @@ TEST(Gasket, SaysWhatIsNotPossible) {
                    {"stiffness"}));
 }
 
+/// Between two rings that do not match, by an overlap: Lame's flexibilities and that of the layer are in series.
+/// Quarters with planes of symmetry, and as sectors.
+TEST(Gasket, IsBetweenRingsAndInSectors) {
+  constexpr double a = 30, b = 50, c = 80, E = 1e5, nu = 0.3, k = 2e3, overlap = 0.05;
+  const std::vector<RingMesh> rings{{"shaft", a, b, 5, 16}, {"hub", b, c, 6, 14}};
+  const auto run = [&](const std::string& sides) {
+    const std::string toml = "[mesh]\nfile = \"case.geo\"\norder = 2\n" + body("shaft", E, nu) + body("hub", E, nu) +
+                             "[gaskets.layer]\nthickness = 1\nloading = { closure = [0, 1], pressure = [0, 2000] }\n" +
+                             sides + contact_table("shaft_outer", "hub_inner", "gap = -0.05\ngasket = \"layer\"") +
+                             probe("pressure", "contact_pressure", "on = \"shaft_outer\"") +
+                             probe("least", "gasket_pressure", "on = \"shaft_outer\"\nreduce = \"min\"") +
+                             "[time]\nend = 1\n";
+    return run_case(toml, rings_geo(rings, 4)).history;
+  };
+  const double outer = b / E * ((c * c + b * b) / (c * c - b * b) + nu),
+               inner = b / E * ((b * b + a * a) / (b * b - a * a) - nu);
+  const Table symmetric = run(ring_supports(rings, false));
+  EXPECT_RELATIVE(symmetric.at("pressure", 1), overlap / (outer + inner + 1 / k), 2e-3);
+  EXPECT_RELATIVE(symmetric.at("least", 1), symmetric.at("pressure", 1), 5e-3);
+  std::string held;
+  for (const RingMesh& ring : rings) held += support(ring.name + "_low", "z");
+  const Table sector = run(held + "[[cyclic]]\nbetween = [\"symmetry_y\", \"symmetry_x\"]\nangle = 90\n");
+  EXPECT_RELATIVE(sector.at("pressure", 1), overlap / (outer + inner + 1 / k), 2e-3);
+}
+
 // Springs between the two bars, each of 300 N/mm, whose outer ends are moved.
 
 std::string sprung(const std::string& spring, const std::string& moved, const std::string& time) {

@@ -180,6 +180,7 @@ class CreepSystem final : public ode::System,
   bool is_near(double t, std::span<const double> y, const Evaluation& of) const;
   /// The time at which the loads are evaluated for t: t moved inside the segment of begin_segment().
   double load_time(double t) const;
+  void resize_tangents();
   /// The tangents at step_.
   const std::vector<std::vector<material::StressTangent>>& step_tangents();
   /// @param before  the history before preloads of t @returns true if something flows
@@ -211,7 +212,6 @@ class CreepSystem final : public ode::System,
   std::vector<mechanics::CreepStrainView> views_;
   std::unique_ptr<GasketCreep> gaskets_;
   std::vector<double> closures_;
-  std::vector<double> min_gasket_strains_;         // per pair, material::PointState::min_strain
   std::vector<Eigen::MatrixXd> gasket_jacobians_;  // of prepare_preconditioner()
   std::vector<std::vector<double>> stress_change_;
   std::int64_t rate_evaluations_ = 0, jacobian_products_ = 0;
