@@ -9,10 +9,12 @@ import pathlib
 import subprocess
 import sys
 
-CREEPS = ("none", "bolts", "flanges", "bolts and flanges", "gasket", "all", "gasket, n = 10", "all, n = 10")
-OTHERS = ("all, retightened after a day", "all, P_QR = 0.98", "all, P_QR = 0.9")
+CREEPS = ("none", "bolts", "flanges", "bolts and flanges", "gasket", "all", "gasket, n = 10", "all, n = 10", "gasket, hardens",
+          "all, hardens")
+OTHERS = ("all, retightened after a day", "all, P_QR = 0.98", "all, P_QR = 0.9", "all, hardens, retightened after a day")
 STYLES = {"none": ("#999999", 1), "bolts": ("#56B4E9", 1), "flanges": ("#009E73", 1), "bolts and flanges": ("#CC79A7", 1),
-          "gasket": ("#E69F00", 2), "all": ("#D55E00", 1), "gasket, n = 10": ("#0072B2", 2), "all, n = 10": ("#000000", 1)}
+          "gasket": ("#E69F00", 2), "all": ("#D55E00", 1), "gasket, n = 10": ("#0072B2", 2), "all, n = 10": ("#000000", 1),
+          "gasket, hardens": ("#8C6D1F", 2), "all, hardens": ("#8C6D1F", 1)}
 LIMITS = (("L0.01", 30), ("L0.1", 15))  # MPa
 
 
