@@ -33,14 +33,17 @@ Value<GasketUnloading> unloading_table() {
           .in("temperature"),
       field<GasketUnloading>("from", &GasketUnloading::from, list(number(greater(0))),
                              "pressures at which unloading begins, increasing")
+          .otherwise("required without `curves`")
           .in("stress"),
       field<GasketUnloading>("modulus", &GasketUnloading::modulus, list(number(greater(0))),
                              "unloading moduli E_G from there: straight lines of the slope modulus/thickness")
+          .otherwise("required with `from`")
           .in("stress"),
       field<GasketUnloading>(
           "curves", &GasketUnloading::curves, list(written_inline(table<GasketCurve>(gasket_curve_keys()))),
           "measured unloading curves instead, each from its residual closure at pressure 0 up to the "
-          "loading curve"),
+          "loading curve")
+          .otherwise("none"),
   }));
 }
 
@@ -63,6 +66,12 @@ Value<GasketRelaxation> relaxation_table() {
       field<GasketRelaxation>("time", &GasketRelaxation::time, positive, "duration of the test, usually 4 h",
                               Presence::required)
           .in("time"),
+      field<GasketRelaxation>(
+          "T", &GasketRelaxation::T, number(),
+          "temperature of the test, for `loading` and `unloading` that depend on it; the creep found "
+          "acts at all temperatures")
+          .otherwise("`reference_temperature`")
+          .in("temperature"),
       field<GasketRelaxation>("n", &GasketRelaxation::n, number(at_least(1)),
                               "exponent of the pressure in Norton's law, which the factor does not tell; 4 to 6"),
   }));

@@ -35,7 +35,7 @@ class SpringMaker {
   void spring(const RawCard& raw, const SpringElement& element) {
     config::Spring made;
     made.name = fmt::format("spring_{}", element.number);
-    // The first line has degrees of freedom; it is empty for SPRINGA.
+    // The first line has degrees of freedom; that of SPRINGA is empty.
     std::array<int, 2> freedom{};
     if (element.type != "SPRINGA")
       for (std::size_t i = 0; i < element.nodes.size(); ++i) {
@@ -46,7 +46,7 @@ class SpringMaker {
       }
     if (element.type == "SPRING2" && freedom[0] != freedom[1])
       return draft_.refuse(raw, "a spring between two different directions is not known");
-    if (!set_force(raw, made)) return;
+    if (!set_force(raw, element.type == "SPRINGA" ? 0 : 1, made)) return;
     for (const std::int64_t node : element.nodes)
       if (!draft_.deck.node_of_number.contains(node))
         return draft_.refuse(raw, fmt::format("element {}: there is no node {}", element.number, node));
@@ -90,14 +90,15 @@ class SpringMaker {
     return true;
   }
 
-  bool set_force(const RawCard& raw, config::Spring& made) {
+  /// @param first  line of what follows the directions; the empty one of SPRINGA is not among the lines
+  bool set_force(const RawCard& raw, std::size_t first, config::Spring& made) {
     const auto value = [&](std::size_t line, std::size_t field) {
       return line < raw.data.size() && field < raw.data[line].size() ? number(raw.data[line][field]) : std::nullopt;
     };
     if (!raw.card.has("NONLINEAR")) {
-      const auto stiffness = value(1, 0);
+      const auto stiffness = value(first, 0);
       if (!stiffness || !(*stiffness > 0)) {
-        draft_.refuse(raw, "expected a stiffness above 0 in the second line");
+        draft_.refuse(raw, "expected a stiffness above 0 below the line of the directions, which is empty for SPRINGA");
         return false;
       }
       made.stiffness = *stiffness;
@@ -105,7 +106,7 @@ class SpringMaker {
     }
     // Rows of force and lengthening; a closure is a shortening.
     config::SpringCurve curve;
-    for (std::size_t line = raw.data.size(); line-- > 1;) {
+    for (std::size_t line = raw.data.size(); line-- > first;) {
       const auto force = value(line, 0), lengthening = value(line, 1);
       if (!force || !lengthening) {
         draft_.refuse(raw, "expected rows of a force and a relative displacement below the first line");

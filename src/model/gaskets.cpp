@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
 #include "creepcontact/material/registry.hpp"
 #include "model_parts.hpp"
 
@@ -37,14 +39,15 @@ contact::GasketLaw law_of(const config::Gasket& from) {
 /// and with the unloading gasket: dc/dt = a p^n, a = (P^(1-n) - 1) p0^(1-n) / ((n - 1) k t), 1/k = area/stiffness +
 /// 1/slope.
 std::shared_ptr<const material::CreepLaw> relaxation_law(const config::GasketRelaxation& test,
-                                                         const contact::GasketLaw& law, double temperature) {
-  const std::vector<double>&closure = law.data().front().loading.closure,
-        &pressure = law.data().front().loading.pressure;
-  const auto above = std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(pressure, test.pressure) - pressure.begin(), 1,
-                                                std::ssize(pressure) - 1);
-  const auto i = static_cast<std::size_t>(above);
-  const double largest = closure[i - 1] + (test.pressure - pressure[i - 1]) * (closure[i] - closure[i - 1]) /
-                                              (pressure[i] - pressure[i - 1]);
+                                                         const contact::GasketLaw& law, double reference) {
+  const double temperature = test.T.value_or(reference);
+  const contact::ClosureCurve loading = law.curve(0, temperature);
+  if (const double last = loading.pressure(law.last_closure()); test.pressure > last)
+    throw std::invalid_argument(
+        fmt::format("relaxation: the pressure of the test, {:.6g}, is beyond the loading curve, "
+                    "which ends at {:.6g}",
+                    test.pressure, last));
+  const double largest = loading.closure(test.pressure);
   const double slope = law.curve(largest, temperature).line(largest).slope;
   const double k = 1 / (test.area / test.stiffness + 1 / slope);
   const double n = test.n;
@@ -56,6 +59,20 @@ std::shared_ptr<const material::CreepLaw> relaxation_law(const config::GasketRel
 }
 
 }  // namespace
+
+void warn_of_short_tests(const config::Config& config) {
+  for (const config::Gasket& gasket : config.gaskets) {
+    double longest = gasket.relaxation ? gasket.relaxation->time : std::numeric_limits<double>::infinity();
+    for (const config::CreepMechanism& mechanism : gasket.creep)
+      if (mechanism.time_range) longest = std::min(longest, mechanism.time_range->high);
+    if (config.time.end > longest)
+      log::warning(
+          "gasket '{}': its creep comes from data of up to t = {:.6g}, and the run ends at {:.6g}; how it goes on "
+          "decides "
+          "how much of the force is left: compare laws that agree with the data",
+          gasket.name, longest, config.time.end);
+  }
+}
 
 std::shared_ptr<const contact::GasketKind> make_gasket(const config::Gasket& from) {
   try {

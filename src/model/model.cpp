@@ -139,11 +139,11 @@ Model build_model(const config::Config& config) {
   GasketKinds gaskets;
   for (const config::Gasket& gasket : config.gaskets)
     errors.collect(gasket.location, [&] { gaskets[gasket.name] = make_gasket(gasket); });
-  errors.raise();
   std::vector<contact::Pair> pairs;
   for (const config::Contact& contact : config.contacts)
-    errors.collect(contact.location,
-                   [&] { pairs.push_back(make_pair(contact, config, bodies, temperature, gaskets, {})); });
+    if (!contact.gasket.given() || gaskets.contains(contact.gasket.name))  // else its mistake has been collected
+      errors.collect(contact.location,
+                     [&] { pairs.push_back(make_pair(contact, config, bodies, temperature, gaskets, {})); });
   errors.raise();
   for (std::size_t p = 0; p < pairs.size(); ++p)
     errors.collect(config.contacts[p].location, [&] {
@@ -163,6 +163,7 @@ Model build_model(const config::Config& config) {
   const std::vector<SearchedFunction> functions = search_functions(config, bodies, temperature);
   std::vector<double> times = breakpoints(config, functions, temperature);
   if (temperature) warn_of_positions_outside(config, bodies, *temperature);
+  warn_of_short_tests(config);
   // Motions that nothing but facets would hold (a ring turning on its shaft) are left free exactly.
   const auto remake = [&](const Bodies& all, std::size_t pair, std::span<const mechanics::RigidMotion> sliding) {
     return make_pair(config.contacts[pair], config, all, temperature, gaskets, sliding);

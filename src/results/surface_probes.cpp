@@ -151,8 +151,13 @@ class ReactionProbe final : public Probe {
 }  // namespace
 
 std::unique_ptr<Probe> make_probe(const AtMultipliers& multipliers, const ProbeRequest& request) {
-  return std::make_unique<MultiplierProbe>(contact_parts(request.probe, request.model), multipliers,
-                                           request.probe.reduce);
+  std::vector<ContactPart> parts = contact_parts(request.probe, request.model);
+  if (multipliers.models == AtMultipliers::In::with_gaskets)
+    for (const ContactPart& part : parts)
+      if (const contact::Pair& pair = request.model.pairs()[part.pair]; !pair.gasket)
+        throw ModelError(
+            fmt::format("contact '{}' has no gasket, whose {} this is", pair.name, request.quantity.variable->label));
+  return std::make_unique<MultiplierProbe>(std::move(parts), multipliers, request.probe.reduce);
 }
 
 std::unique_ptr<Probe> make_probe(const OnContactSurface& surface, const ProbeRequest& request) {

@@ -29,10 +29,6 @@ std::pair<double, double> range(const contact::MortarCoupling& coupling) {
   return {rounded(least), rounded(largest)};
 }
 
-}  // namespace
-
-namespace {
-
 std::string gasket_text(const contact::Pair& pair) {
   if (!pair.gasket) return "";
   const contact::GasketKind& kind = pair.gasket->kind();
@@ -70,13 +66,15 @@ std::optional<std::string> gap_warning(const model::Model& model, const contact:
   const mechanics::Body& smaller = size_of(slave) < size_of(master) ? slave : master;
   const double allowed = of_the_body * size_of(smaller);
   const bool tied = pair.coupling.type == contact::ContactType::tied;
+  const double thickness = pair.gasket ? pair.gasket->kind().law.thickness() : 0;
   double worst = 0, worst_given = 0, worst_distance = 0;
   Vector3 position = Vector3::Zero();
   for (std::size_t i = 0; i < pair.coupling.gap_points.size(); ++i) {
     const Vector3& x = pair.coupling.gap_points[i];
     const double distance = pair.coupling.gap_distances[i];
     if (std::abs(distance) <= allowed) continue;
-    const double given = tied ? 0.0 : pair.gap({.x = x.x(), .y = x.y(), .z = x.z(), .t = 0});
+    double given = tied ? 0.0 : pair.gap({.x = x.x(), .y = x.y(), .z = x.z(), .t = 0});
+    if (pair.gasket && std::abs(distance - given) > thickness / 2) given += thickness;  // drawn with room for it
     const double excess = std::abs(distance - given) - of_the_distance * std::abs(distance) - allowed;
     if (!(excess > worst)) continue;
     worst = excess, worst_given = given, worst_distance = distance, position = x;

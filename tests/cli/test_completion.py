@@ -96,7 +96,7 @@ class Completion(CompletionTest):
                           for key in ("axial_force", "material", "material_axes.cylindrical.axis", "material_axes.cylindrical.origin", "material_axes.cylindrical", "material_axes.first", "material_axes.second", "region", "thickness")])
         self.assertEqual(self.complete("run case.toml --set materials.steel.creep.1.flu"),
                          ["materials.steel.creep.1.fluidity="])
-        self.assertEqual(self.complete("run case.toml --set contacts.0.ga"), ["contacts.0.gap="])
+        self.assertEqual(self.complete("run case.toml --set contacts.0.ga"), ["contacts.0.gap=", "contacts.0.gasket="])
         self.assertEqual(self.complete("run case.toml --set materials.steel.yo"), ["materials.steel.young_modulus="])
         self.assertEqual(self.complete("run --set bodies."), [])
         self.assertFalse((self.directory / "trap").exists())

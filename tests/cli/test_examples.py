@@ -34,6 +34,7 @@ class EveryExample(RunTest):
     COARSE = {"bolted_flange": dict(n_around=2, n_hole=2, n_face=2, n_seat=2, n_bearing=1, n_thickness=2, n_shank=2),
               "casing_flange": dict(n_side=2, n_middle=2, n_seat=2, n_bearing=2, n_wall=2, n_height=3, n_ring=4, n_shank=2,
                                     n_nut=1, n_heel=2, n_land=1),
+              "gasketed_flange": dict(n_around=2, n_wall=1, n_gasket=2, n_hole=2, n_seat=2, n_bearing=1, n_thickness=2, n_shank=2),
               "blade_root": dict(n_blade=2, n_disc=2, n_blade_flank=3, n_disc_flank=2, n_width=1),
               "bladed_disc": dict(size=24, n_width=2, n_shroud=2), "ball_on_block": dict(h=0.8),
               "press_fit_torque": dict(around_shaft=12, around_hub=8, n_length=2, n_hub=2),
@@ -72,6 +73,31 @@ class BoltedFlange(ExampleTest):
         forces = [row["head_force"] for row in rows]
         self.assertEqual(forces, sorted(forces, reverse=True))
         self.assertGreater(forces[-1], 1e4)
+
+
+class GasketedFlange(ExampleTest):
+    COARSE = EveryExample.COARSE["gasketed_flange"]
+    NO_CREEP = {"materials.flange_steel.creep": "[]", "materials.bolt_steel.creep": "[]", "time.end": "8", "time.output": "[]",
+                "gaskets.spiral_wound.relaxation": "{ factor = 1, pressure = 80, stiffness = 1e6, area = 4762, time = 4 }"}
+    AREA = math.pi * (131**2 - 117**2) / 24
+    THRUST = 3 * math.pi * 117**2 / 24  # of half a sector
+
+    def test_forces_balance(self):
+        rows = self.history("gasketed_flange.toml", {"time.output": "[4, 8, 12]"}, **self.COARSE)
+        self.expect_close(rows[0]["bolt_force"], 35e3, 1e-8)
+        for row in rows:
+            self.expect_close(row["bolt_force"] - min(1, row["time"] / 8) * self.THRUST, row["gasket_force"], 1e-3)
+            self.expect_close(row["gasket_mean"], row["gasket_force"] / self.AREA, 1e-3)
+            self.expect_close(row["gasket_pressure"], row["gasket_mean"], 1e-2)
+        forces = [row["gasket_force"] for row in rows]
+        self.assertEqual(forces, sorted(forces, reverse=True))
+
+    def test_springs_in_series(self):
+        by_pressure = self.history("gasketed_flange.toml", self.NO_CREEP | {"temperature.value": "20"}, **self.COARSE)
+        self.expect_close(by_pressure[0]["closure"], 0.86005, 1e-4)
+        self.expect_close(by_pressure[-1]["gasket_force"], 29.28e3, 1e-2)
+        by_heat = self.history("gasketed_flange.toml", self.NO_CREEP | {"loads": "[]"}, **self.COARSE)
+        self.expect_close(by_heat[-1]["gasket_force"], 30.54e3, 1e-2)
 
 
 class CasingFlange(ExampleTest):

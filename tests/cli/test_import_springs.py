@@ -48,7 +48,7 @@ class ImportOfSprings(ImportTest):
     def test_what_is_not_possible(self):
         element = "*ELEMENT, TYPE=SPRING2, ELSET=S\n20, 1, 2\n"
         step = "*STEP\n*STATIC\n*END STEP\n"
-        for text, *facts in (("", "element 20", "stiffness"), ("*SPRING, ELSET=S\n1, 2\n10.\n", "two different directions"),
+        for text, *facts in (("", "stiffness", "element 20"), ("*SPRING, ELSET=S\n1, 2\n10.\n", "two different directions"),
                              ("*SPRING, ELSET=S\n1, 1\n-10.\n", "above 0"), ("*SPRING, ELSET=T\n1, 1\n10.\n", "'T'"),
                              ("*SPRING, ELSET=S\n4, 4\n10.\n", "1, 2 or 3")):
             with self.subTest(text):

@@ -280,12 +280,13 @@ struct GasketUnloading {
 
 /// [gaskets.<name>.relaxation]: P_QR of EN 13555 with the rig in which it was measured
 struct GasketRelaxation {
-  double factor = 0;     ///< residual over initial pressure
-  double pressure = 0;   ///< initial
-  double stiffness = 0;  ///< of the rig [force/length]
-  double area = 0;       ///< of the gasket that was tested
-  double time = 0;       ///< of the test
-  double n = 5;          ///< exponent of the pressure, which P_QR does not tell
+  double factor = 0;        ///< residual over initial pressure
+  double pressure = 0;      ///< initial
+  double stiffness = 0;     ///< of the rig [force/length]
+  double area = 0;          ///< of the gasket that was tested
+  double time = 0;          ///< of the test
+  std::optional<double> T;  ///< temperature of the test; nullopt: the reference temperature
+  double n = 5;             ///< exponent of the pressure, which P_QR does not tell
 };
 
 /// [gaskets.<name>]

@@ -36,9 +36,9 @@ class Gasket {
          const std::vector<Vector3>& positions);
 
   const GasketKind& kind() const { return *kind_; }
-  /// Of every node at time t.
+  /// Temperatures of all nodes at time t.
   std::vector<double> temperatures(double t) const;
-  /// Of every node at time t, by how much more than at its reference temperature its free thickness is [length].
+  /// Changes of its free thickness from the reference temperature on, at all nodes at time t [length].
   std::vector<double> growth(double t) const;
 
  private:

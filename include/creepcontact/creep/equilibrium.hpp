@@ -31,7 +31,7 @@ class CreepStrains {
   const mechanics::CreepStrainView& operator[](std::size_t body) const { return bodies_[body]; }
   std::size_t size() const { return bodies_.size(); }
   std::span<const mechanics::CreepStrainView> bodies() const { return bodies_; }  ///< one per body
-  /// By creep, per node of the contact problem [length]; empty: none.
+  /// Closures by creep, per node of the contact problem [length]; empty: none.
   std::span<const double> closures() const { return closures_; }
 
  private:

@@ -48,7 +48,7 @@ void ActiveSetSystem::factorize(const std::vector<int>& active) {
   factored_ = true;
 }
 
-/// The same for one compliance of gaskets.
+/// A system whose problem has one compliance of gaskets.
 struct ActiveSetSystem::WithGaskets {
   WithGaskets(const ContactProblem& of, const Eigen::VectorXd& compliance, double tolerance, const StopRequest& stop)
       : problem(ContactProblem::with_compliance(of, compliance)), system(problem, tolerance) {

@@ -12,7 +12,16 @@ Index ClosureCurve::piece(double closure) const {
 }
 
 ClosureCurve::Line ClosureCurve::line(double closure) const {
-  const Index i = piece(closure);
+  return line_of(piece(closure));
+}
+
+double ClosureCurve::closure(double pressure) const {
+  const auto end =
+      std::ranges::lower_bound(points_, pressure, {}, [](const Eigen::Vector2d& point) { return point.y(); });
+  return line_of(std::clamp<Index>(end - points_.begin() - 1, 0, std::ssize(points_) - 2)).closure(pressure);
+}
+
+ClosureCurve::Line ClosureCurve::line_of(Index i) const {
   const Eigen::Vector2d &from = points_[static_cast<std::size_t>(i)], &to = points_[static_cast<std::size_t>(i) + 1];
   const double slope = (to.y() - from.y()) / (to.x() - from.x());
   return {from.x() - from.y() / slope, slope, pulls_};

@@ -22,6 +22,8 @@ class ClosureCurve {
   /// True in nodes without a gasket.
   bool empty() const { return points_.empty(); }
   double pressure(double closure) const;
+  /// The closure at a pressure above 0.
+  double closure(double pressure) const;
   /// The closure where pressure begins.
   double begin() const { return points_.front().x(); }
   /// The closure of the last point.
@@ -44,6 +46,7 @@ class ClosureCurve {
 
  private:
   Index piece(double closure) const;
+  Line line_of(Index piece) const;
 
   std::vector<Eigen::Vector2d> points_;
   bool pulls_ = false;

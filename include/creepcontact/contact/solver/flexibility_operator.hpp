@@ -23,7 +23,7 @@ class FlexibilityOperator {
   virtual Eigen::VectorXd gaps(const Eigen::VectorXd& multiplier) const = 0;
   /// Estimate of the diagonal of F; each entry is positive if its row can move.
   virtual const Eigen::VectorXd& diagonal() const = 0;
-  /// Of F with a compliance added to its diagonal. The operator must outlive the result.
+  /// A preconditioner of F with a compliance added to its diagonal. The operator must outlive the result.
   /// @param set  rows, ascending @param compliance  one per row of the set, at least 0
   virtual std::unique_ptr<Preconditioner> preconditioner(const std::vector<int>& set,
                                                          const Eigen::VectorXd& compliance) const = 0;

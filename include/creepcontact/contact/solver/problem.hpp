@@ -83,7 +83,7 @@ struct ContactProblem {
   void add_node(AdmissibleSet set, int n_rows, int slave_body, int master_body);
   /// Nodes and rigid-body modes of another problem, without the flexibilities.
   static ContactProblem with_nodes_of(const ContactProblem& other);
-  /// The same problem with `compliance`, n_rows. @param owner  must outlive the result
+  /// A problem that differs by its `compliance`, n_rows. @param owner  must outlive the result
   static ContactProblem with_compliance(const ContactProblem& owner, Eigen::VectorXd compliance);
 };
 
