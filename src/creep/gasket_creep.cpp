@@ -43,13 +43,14 @@ struct Seen {
 }  // namespace
 
 GasketCreep::GasketCreep(const Assembly& assembly, std::vector<double> min_strain)
-    : min_strain_(std::move(min_strain)) {
+    : team_(&assembly.team()), min_strain_(std::move(min_strain)) {
   const StateLayout layout(assembly);
   std::size_t first = layout.size() - layout.n_gaskets();
   for (std::size_t p = 0; p < assembly.pairs().size(); ++p) {
     const contact::Pair& pair = assembly.pairs()[p];
     n_contact_nodes_ += pair.coupling.nodes.size();
     const std::size_t n_state = gasket_stride(pair);
+    creeps_ = creeps_ || n_state > 0;
     if (n_state == 0 || assembly.team().rank() != 0) continue;
     OfPair gasket{p,
                   &pair,
@@ -101,10 +102,11 @@ void GasketCreep::for_each_node(const Equilibrium& at, std::span<const double> s
 }
 
 void GasketCreep::closures(std::span<const double> state, std::vector<double>& into) const {
-  into.assign(empty() ? 0 : n_contact_nodes_, 0.0);
+  into.assign(creeps_ ? n_contact_nodes_ : 0, 0.0);
   for_each_state([&](const OfPair& gasket, std::size_t i, std::size_t first) {
     into[static_cast<std::size_t>(gasket.contact->first_node) + i] = gasket.thickness * state[first];
   });
+  if (creeps_) team_->broadcast(into, 0);
 }
 
 void GasketCreep::rate(const Equilibrium& at, std::span<const double> state, std::span<double> rate) const {

@@ -21,7 +21,8 @@ class GasketCreep {
 
   /// True if no gasket creeps, or another process has them.
   bool empty() const { return gaskets_.empty(); }
-  /// Sets the closures by creep, per node of the contact problem; of no size if no gasket creeps.
+  /// Sets the closures by creep, per node of the contact problem; of no size if no gasket creeps. Collective: all
+  /// processes have them.
   void closures(std::span<const double> state, std::vector<double>& into) const;
 
   /// Rates at the pressures of an equilibrium.
@@ -71,7 +72,9 @@ class GasketCreep {
   template <typename Work>
   void for_each_state(const Work& work) const;
 
+  const Team* team_;
   std::vector<double> min_strain_;  // per pair
+  bool creeps_ = false;             // a gasket of some process
   std::vector<OfPair> gaskets_;
   std::size_t n_contact_nodes_ = 0;
 };

@@ -93,6 +93,25 @@ TEST(Gasket, UnloadsToItsResidualClosureAndLoadsAgainFromThere) {
   EXPECT_NEAR(history.at("contact_pressure", 4), loaded(1.2).first, 1e-9);
 }
 
+/// Pressed askew, with half of the gasket near its toe, and creeping.
+TEST(Gasket, IsSolvedByEveryMethod) {
+  const auto run = [](const std::vector<std::string>& overrides) {
+    return run_case(
+               joint("creep = [{ law = \"norton\", A = 4e-14, n = 5 }]", "gap = \"-0.2 - 0.3*x\"",
+                     "[time]\nend = 100\n" + probe("most", "contact_pressure", "on = \"low_z1\"\nreduce = \"max\"")),
+               geo, overrides)
+        .history;
+  };
+  const Table direct = run({"contact_solver.method=active_set"});
+  for (const char* other : {"contact_solver.acceleration=cg", "contact_solver.acceleration=none",
+                            "contact_solver.acceleration=anderson", "contact_solver.dense_limit_mb=0"}) {
+    const Table history = run({other});
+    for (const double t : {0.0, 100.0})
+      for (const char* name : {"most", "closure_max", "wall"})
+        EXPECT_RELATIVE(history.at(name, t), direct.at(name, t), 1e-6) << other << ", " << name;
+  }
+}
+
 double relaxed(double t) {
   constexpr double a = 2e-13, n = 5;
   const double k = 1 / (1 / S + 1 / slope);
