@@ -70,7 +70,7 @@ Value<GasketRelaxation> relaxation_table() {
           "T", &GasketRelaxation::T, number(),
           "temperature of the test, for `loading` and `unloading` that depend on it; the creep found "
           "acts at all temperatures")
-          .otherwise("`reference_temperature`")
+          .otherwise("the reference temperature")
           .in("temperature"),
       field<GasketRelaxation>("n", &GasketRelaxation::n, number(at_least(1)),
                               "exponent of the pressure in Norton's law, which the factor does not tell; 4 to 6"),

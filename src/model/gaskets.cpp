@@ -60,8 +60,20 @@ std::shared_ptr<const material::CreepLaw> relaxation_law(const config::GasketRel
 
 }  // namespace
 
-void warn_of_short_tests(const config::Config& config) {
+void warn_of_gaskets(const config::Config& config, const Bodies& bodies) {
+  // Of the largest modulus of the bodies: from soft rubber on steel up to the metal itself. Beyond it units are mixed.
+  constexpr double softest = 1e-7, stiffest = 10;
+  double modulus = 0;
+  for (const mechanics::Body& body : bodies)
+    modulus = std::max(modulus, body.material().young_modulus({.T = body.material().reference_temperature}));
   for (const config::Gasket& gasket : config.gaskets) {
+    const std::vector<double>&closure = gasket.loading.front().closure, &pressure = gasket.loading.front().pressure;
+    const double own = gasket.thickness * (pressure.back() - pressure.front()) / (closure.back() - closure.front());
+    if (std::isfinite(modulus) && (own > stiffest * modulus || own < softest * modulus))
+      log::warning(
+          "gasket '{}': pressure over closure/thickness is about {:.3g}, and Young's modulus of the bodies up to "
+          "{:.3g}; check that both are in the units of the model",
+          gasket.name, own, modulus);
     double longest = gasket.relaxation ? gasket.relaxation->time : std::numeric_limits<double>::infinity();
     for (const config::CreepMechanism& mechanism : gasket.creep)
       if (mechanism.time_range) longest = std::min(longest, mechanism.time_range->high);

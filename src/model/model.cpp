@@ -163,7 +163,7 @@ Model build_model(const config::Config& config) {
   const std::vector<SearchedFunction> functions = search_functions(config, bodies, temperature);
   std::vector<double> times = breakpoints(config, functions, temperature);
   if (temperature) warn_of_positions_outside(config, bodies, *temperature);
-  warn_of_short_tests(config);
+  warn_of_gaskets(config, bodies);
   // Motions that nothing but facets would hold (a ring turning on its shaft) are left free exactly.
   const auto remake = [&](const Bodies& all, std::size_t pair, std::span<const mechanics::RigidMotion> sliding) {
     return make_pair(config.contacts[pair], config, all, temperature, gaskets, sliding);

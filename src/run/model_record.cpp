@@ -161,6 +161,28 @@ class Recorder {
     return section;
   }
 
+  io::RecordedTable gaskets() const {
+    io::RecordedTable table{"", {"gasket", "thickness", "pressure over closure", "unloading", "creep"}, {}};
+    for (const config::Gasket& gasket : config_.gaskets) {
+      std::vector<std::string> points;
+      const config::GasketCurve& curve = gasket.loading.front();
+      for (std::size_t i = 0; i < curve.closure.size(); ++i)
+        points.push_back(fmt::format("{:.4g} at {:.4g}", curve.pressure[i], curve.closure[i]));
+      std::string creep = gasket.relaxation
+                              ? fmt::format("{:.3g} of {:.4g} left after {:.4g}", gasket.relaxation->factor,
+                                            gasket.relaxation->pressure, gasket.relaxation->time)
+                              : "none";
+      if (!gasket.creep.empty()) creep = gasket.creep.front().law;
+      table.rows.push_back({gasket.name, number(gasket.thickness, Dimension::length),
+                            fmt::format("{}", fmt::join(points, ", ")),
+                            gasket.unloading.empty()                ? "along the same curve"
+                            : gasket.unloading.front().from.empty() ? "measured curves"
+                                                                    : "moduli E_G",
+                            creep});
+    }
+    return table;
+  }
+
   io::RecordedSection contacts() const {
     io::RecordedSection section{"Contacts", {}, {}, {}};
     io::RecordedTable table{"", {"contact", "slave", "master", "multipliers", "gap or preload", "friction"}, {}};
@@ -176,6 +198,7 @@ class Recorder {
                                                                     : "none"});
     }
     if (!table.rows.empty()) section.tables.push_back(table);
+    if (!config_.gaskets.empty()) section.tables.push_back(gaskets());
     for (const config::Cyclic& cyclic : config_.cyclic)
       section.notes.push_back(fmt::format("Cyclic symmetry: one sector of {:.6g} degrees between '{}' and '{}'.",
                                           cyclic.angle, cyclic.between[0].name, cyclic.between[1].name));

@@ -144,8 +144,7 @@ between = ["a", "b"]
 preload = { force = 1 }
 [[springs]]
 name = "steel"
-on = "top"
-ground = true
+at = [[0, 0, 0], [0, 0, 1]]
 direction = [0, 0, 1]
 stiffness = 1
 [[cyclic]]
