@@ -109,7 +109,7 @@ Field<S> field(const std::string& name, Member member, const Value<T>& value, co
   constexpr bool is_always_there = std::is_convertible_v<decltype(initial), const T&>;
   std::string fallback;  // as a file would have it
   if constexpr (is_always_there) {
-    if (presence == Presence::optional && value.visit) fallback = inline_text(value.visit, T(initial));
+    if (presence == Presence::optional && value.visit) fallback = inline_text(value.visit, static_cast<T>(initial));
     if (value.form == Form::value && fallback != no_text && !fallback.starts_with('{'))
       made.info.default_value = fallback;
   }

@@ -58,7 +58,8 @@ class SpringMaker {
     if (direction.isZero(0))
       return draft_.refuse(raw, fmt::format("element {}: its nodes are at the same place", element.number));
     if (!set_ends(raw, element, direction, made)) return;
-    made.direction = rounded(Vector3(direction.normalized()));
+    const Vector3 unit = direction.normalized();
+    made.direction = rounded(unit);
     draft_.add(draft_.config.springs, std::move(made), "springs",
                fmt::format("{}: *SPRING of element {}", raw.card.place.text(), element.number));
   }

@@ -67,8 +67,8 @@ std::shared_ptr<const material::CreepLaw> make_creep_law(const config::CreepMech
 using GasketKinds = std::map<std::string, std::shared_ptr<const contact::GasketKind>>;
 /// @throws ModelError naming the points of a curve that is not possible
 std::shared_ptr<const contact::GasketKind> make_gasket(const config::Gasket& from);
-/// Warns of gaskets whose creep is known for a shorter time than that of the run, and of curves that seem to be in other
-/// units than the bodies.
+/// Warns of gaskets whose creep is known for a shorter time than that of the run, and of curves that seem to be in
+/// other units than the bodies.
 void warn_of_gaskets(const config::Config& config, const Bodies& bodies);
 
 /// Appends the springs as pairs of their names.

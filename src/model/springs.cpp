@@ -16,8 +16,6 @@
 namespace creepcontact::model {
 namespace {
 
-using contact::EquationTerm;
-
 /// One end: a weighted mean of displacements of nodes.
 struct SpringEnd {
   std::size_t body = 0;

@@ -16,7 +16,7 @@ constexpr double rows_per_section = 3;  // of nodes along the circumference, abo
 /// Means over the width of a surface around an axis, at sections of equal angle.
 class WidthProbe final : public Probe {
  public:
-  WidthProbe(std::vector<ContactPart> parts, double ContactValues::*value, const ProbeRequest& request)
+  WidthProbe(const std::vector<ContactPart>& parts, double ContactValues::*value, const ProbeRequest& request)
       : value_(value), reduce_(request.probe.reduce) {
     const Vector3 axis = Vector3(request.probe.axis.data()).normalized(), origin(request.probe.origin.data());
     const Vector3 first = axis.unitOrthogonal(), second = axis.cross(first);

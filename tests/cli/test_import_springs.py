@@ -63,7 +63,7 @@ class ImportOfSprings(ImportTest):
                          for n, x, y in ((2, 1, 0), (4, 1.2, -0.1), (8, 1.2, 0)))
         row = self.run_imported("spring4", probes)[-1]
         # The strain of this one element beside a point support depends on its quadrature.
-        for node, value, within in ((2, 0.1999, 1e-9), (4, 0.1999385, 3e-5), (8, 0.1999445, 3e-5)):
+        for node, value, within in ((2, 0.1999, 1e-9), (4, 0.1999385, 1e-4), (8, 0.1999445, 1e-4)):
             self.expect_close(row[f"u{node}"], value, within)
 
 

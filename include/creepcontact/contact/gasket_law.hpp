@@ -49,7 +49,8 @@ class GasketLaw {
   double thickness() const { return thickness_; }
   /// Pressure over closure after a largest closure. @param temperature  of the gasket; beyond those given the nearest
   ClosureCurve curve(double largest, double temperature) const;
-  /// The closure at which the first of the loading curves ends, beyond which they are extrapolated; infinity for a line.
+  /// The closure at which the first of the loading curves ends, beyond which they are extrapolated; infinity for a
+  /// line.
   double last_closure() const;
   /// True if it depends on the largest closure.
   bool has_history() const { return !data_.front().unloading.empty(); }

@@ -94,8 +94,8 @@ struct OnPlane {
   void (*evaluate)(const Resultant& resultant, double* components);
 };
 
-using Support = std::variant<AtNodes, AtPoints, AtMultipliers, OverWidth, OnSpring, OnContactSurface, AreaInContact, OnSupports,
-                             OnCrossSection, OnPlane>;
+using Support = std::variant<AtNodes, AtPoints, AtMultipliers, OverWidth, OnSpring, OnContactSurface, AreaInContact,
+                             OnSupports, OnCrossSection, OnPlane>;
 
 struct OutputVariable {
   std::string name;
