@@ -2,6 +2,7 @@
 
 import unittest
 
+import plastic_decks
 from test_import import CUBE, ImportTest, deck_text
 
 ABOVE = ("*NODE\n" + "".join(f"{n + 10}, {x}, {y}, {z + 1}\n" for n, (x, y, z) in enumerate(
@@ -53,6 +54,23 @@ class ImportOfSprings(ImportTest):
                              ("*SPRING, ELSET=S\n4, 4\n10.\n", "1, 2 or 3")):
             with self.subTest(text):
                 self.assertSays(self.import_deck("wrong", CUBE + element + text + step, 2).stderr, "wrong.inp:", *facts)
+
+    def test_a_layer_pressed_askew_as_calculix_has_it(self):
+        """Displacements of CalculiX 2.20, node to surface, on meshes that do not match: within 1 % of the largest."""
+        text = plastic_decks.blocks()[0].replace("PRESSURE-OVERCLOSURE=LINEAR\n1e7, 1., 1e-3\n", "PRESSURE-OVERCLOSURE=TABULAR\n"
+                                                 "0., 0.\n20., 0.005\n200., 0.01\n2000., 0.03\n").replace("*PLASTIC\n200, 0\n300, 0.01\n", "")
+        self.import_deck("askew", text)
+        path = self.directory / "imported/askew.toml"
+        path.write_text(path.read_text().split("[[probes]]")[0])
+        of_calculix = {139: ((5, 6.25), (-6.0143e-3, -6.0143e-3)), 201: ((1.25, 9.375), (-1.047897e-2, -7.509595e-3)),
+                       240: ((5 / 3, 11.25), (-2.418806e-2, -1.876287e-2)), 260: ((5 / 3, 13.75), (-2.812045e-2, -1.989603e-2))}
+        rows = self.run_imported("askew", "".join(
+            f'[[probes]]\nname = "u{n}"\nquantity = "displacement_y"\nat = [{x}, {y}, 0]\nbody = "{"Lower" if y < 10 else "Upper"}"\n'
+            for n, ((x, y), _) in of_calculix.items()))
+        for n, (_, values) in of_calculix.items():
+            for time, value in zip((1, 2), values):
+                row = next(row for row in rows if row["time"] == time)
+                self.assertAlmostEqual(row[f"u{n}"], value, delta=0.01 * 0.042)
 
     def test_example_of_calculix(self):
         """A square held by one spring of 10, which a force of 1.999 draws."""
