@@ -229,7 +229,7 @@ ClosureCurve GasketLaw::curve(double largest, double temperature) const {
   }
   for (std::size_t k = 0; k < closures.size(); ++k) {
     if (unloads && closures[k] <= largest) continue;
-    // Of curves that begin at different closures the first points are one: zero up to the last of them.
+    // Where curves begin at different closures, several first points have no pressure: the last of them counts.
     if (points.empty() && k + 1 < closures.size() && loaded(closures[k + 1]) <= 0) continue;
     append(closures[k], loaded(closures[k]));
   }

@@ -67,9 +67,10 @@ Eigen::VectorXd held_resultant(const RigidBodyModes& modes, const Eigen::VectorX
 }  // namespace
 
 void add_nodes(const Pair& pair, ContactProblem& problem) {
-  const AdmissibleSet set = pair.coupling.type == ContactType::tied ? AdmissibleSet::space
-                            : pair.coupling.has_friction()          ? AdmissibleSet::cone
-                                                                    : AdmissibleSet::half_line;
+  const bool lets_go = pair.gasket && !pair.gasket->kind().law.pulls();  // a spring too, though its row is a tie
+  const AdmissibleSet set = pair.coupling.type == ContactType::tied && !lets_go ? AdmissibleSet::space
+                            : pair.coupling.has_friction()                      ? AdmissibleSet::cone
+                                                                                : AdmissibleSet::half_line;
   const int width = static_cast<int>(pair.coupling.rows_per_node());
   for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
     problem.add_node(set, width, static_cast<int>(pair.slave_body), static_cast<int>(pair.master_body));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <functional>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -101,10 +100,6 @@ class ContactMaker {
     const std::string key = "gaskets." + own_->gasket;
     draft_.comment(key, raw.card.place.text() + ": *SURFACE BEHAVIOR");
     draft_.comment(key + ".thickness", "does not matter here: the curve is one of closures");
-  }
-
-  static bool is_increasing(const std::vector<double>& values) {
-    return std::ranges::adjacent_find(values, std::greater_equal<>()) == values.end();
   }
 
   /// The name of the interaction as a key can have it.

@@ -1,6 +1,5 @@
 /// [[springs]] from *SPRING
 
-#include <algorithm>
 #include <map>
 #include <set>
 
@@ -116,9 +115,6 @@ class SpringMaker {
       curve.force.push_back(0 - *force);
       curve.closure.push_back(0 - *lengthening);
     }
-    const auto is_increasing = [](const std::vector<double>& all) {
-      return std::ranges::adjacent_find(all, std::greater_equal<>()) == all.end();
-    };
     if (curve.force.size() < 2 || !is_increasing(curve.force) || !is_increasing(curve.closure) ||
         curve.force.front() > 0) {
       draft_.refuse(raw,

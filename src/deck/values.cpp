@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <functional>
 
 namespace creepcontact::deck {
 
@@ -30,6 +32,10 @@ Function function_of_temperature(const Table& table, std::size_t column, std::si
   points.reserve(table.rows.size());
   for (const std::vector<double>& row : table.rows) points.emplace_back(value(row, of_temperature), value(row, column));
   return function_of_temperature(points);
+}
+
+bool is_increasing(const std::vector<double>& values) {
+  return std::ranges::adjacent_find(values, std::greater_equal<>()) == values.end();
 }
 
 std::string prefix(const Place& at) {

@@ -19,6 +19,8 @@ std::array<double, 3> rounded(const Vector3& vector);
 Function function_of_temperature(const std::vector<std::pair<double, double>>& points);
 /// A column of a table over the temperature, which is the column `of_temperature`; what is missing is 0.
 Function function_of_temperature(const Table& table, std::size_t column, std::size_t of_temperature);
+/// Whether each value is above the one before.
+bool is_increasing(const std::vector<double>& values);
 /// "file:line: ", or nothing
 std::string prefix(const Place& at);
 

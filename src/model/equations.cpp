@@ -81,13 +81,6 @@ std::vector<Found> find_nodes(const config::Support& support, std::size_t body, 
   return result;
 }
 
-/// Mean area of the cells' faces, about.
-double nodal_area(const mechanics::Body& body) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3& x : body.mesh().nodes) box.extend(x);
-  return std::pow(box.diagonal().norm() / std::cbrt(static_cast<double>(body.mesh().nodes.size())), 2);
-}
-
 contact::TiedBody tied(const mechanics::Body& body) {
   return {&body.mesh(), &body.constraints()};
 }
@@ -212,6 +205,12 @@ class Equations {
 };
 
 }  // namespace
+
+double nodal_area(const mechanics::Body& body) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3& x : body.mesh().nodes) box.extend(x);
+  return std::pow(box.diagonal().norm() / std::cbrt(static_cast<double>(body.mesh().nodes.size())), 2);
+}
 
 void append_equations(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
                       const Bodies& bodies, std::vector<contact::Pair>& pairs, ErrorCollector& errors) {

@@ -61,7 +61,8 @@ std::shared_ptr<const material::CreepLaw> relaxation_law(const config::GasketRel
 }  // namespace
 
 void warn_of_gaskets(const config::Config& config, const Bodies& bodies) {
-  // Of the largest modulus of the bodies: from soft rubber on steel up to the metal itself. Beyond it units are mixed.
+  // Relative to the largest modulus of the bodies: soft rubber on steel, and the metal itself. Beyond them units are
+  // mixed.
   constexpr double softest = 1e-7, stiffest = 10;
   double modulus = 0;
   for (const mechanics::Body& body : bodies)
@@ -86,16 +87,24 @@ void warn_of_gaskets(const config::Config& config, const Bodies& bodies) {
   }
 }
 
+std::shared_ptr<const material::Material> creep_alone(const std::string& name,
+                                                      std::vector<std::shared_ptr<const material::CreepLaw>> laws,
+                                                      double reference_temperature) {
+  if (laws.empty()) return nullptr;
+  material::Material material;
+  material.name = name;
+  material.reference_temperature = reference_temperature;
+  material.creep = std::move(laws);
+  return std::make_shared<const material::Material>(std::move(material));
+}
+
 std::shared_ptr<const contact::GasketKind> make_gasket(const config::Gasket& from) {
   try {
     const double reference = from.reference_temperature.value_or(0);
     contact::GasketKind kind{from.name, law_of(from), from.thermal_expansion, reference};
-    material::Material creep;
-    creep.name = "gasket " + from.name;
-    creep.reference_temperature = reference;
-    for (const config::CreepMechanism& mechanism : from.creep) creep.creep.push_back(make_creep_law(mechanism));
-    if (from.relaxation) creep.creep.push_back(relaxation_law(*from.relaxation, kind.law, reference));
-    if (!creep.creep.empty()) kind.creep = std::make_shared<const material::Material>(std::move(creep));
+    std::vector<std::shared_ptr<const material::CreepLaw>> laws = make_creep_laws(from.creep);
+    if (from.relaxation) laws.push_back(relaxation_law(*from.relaxation, kind.law, reference));
+    kind.creep = creep_alone("gasket " + from.name, std::move(laws), reference);
     return std::make_shared<const contact::GasketKind>(std::move(kind));
   } catch (const std::invalid_argument& error) {
     throw ModelError(fmt::format("gasket '{}': {}", from.name, error.what()));

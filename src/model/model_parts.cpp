@@ -55,10 +55,15 @@ std::shared_ptr<const material::Plasticity> make_plasticity(const config::Plasti
   return std::make_shared<material::Plasticity>(std::move(curves), std::move(back));
 }
 
-std::shared_ptr<const material::CreepLaw> make_creep_law(const config::CreepMechanism& from) {
-  std::map<std::string, std::vector<Function>> values;
-  for (const config::CreepParameter& parameter : from.parameters) values[parameter.key] = parameter.values;
-  return material::find_creep_law(from.law)->make_by_key(values);
+std::vector<std::shared_ptr<const material::CreepLaw>> make_creep_laws(
+    const std::vector<config::CreepMechanism>& from) {
+  std::vector<std::shared_ptr<const material::CreepLaw>> laws;
+  for (const config::CreepMechanism& mechanism : from) {
+    std::map<std::string, std::vector<Function>> values;
+    for (const config::CreepParameter& parameter : mechanism.parameters) values[parameter.key] = parameter.values;
+    laws.push_back(material::find_creep_law(mechanism.law)->make_by_key(values));
+  }
+  return laws;
 }
 
 material::Material make_material(const config::Material& from) {
@@ -84,7 +89,7 @@ material::Material make_material(const config::Material& from) {
   else
     result.thermal_expansion = alpha.front();
   result.reference_temperature = from.reference_temperature.value_or(0);
-  for (const config::CreepMechanism& mechanism : from.creep) result.creep.push_back(make_creep_law(mechanism));
+  result.creep = make_creep_laws(from.creep);
   result.yield_strength = from.yield_strength;
   if (from.plasticity) result.plasticity = make_plasticity(*from.plasticity);
   const auto life = from.rupture ? make_life_fraction(*from.rupture) : nullptr;

@@ -61,7 +61,14 @@ void append_equations(const config::Config& config, const mesh::Mesh& whole, con
 void add_load(const config::Load& load, const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
               Bodies& bodies);
 
-std::shared_ptr<const material::CreepLaw> make_creep_law(const config::CreepMechanism& from);
+std::vector<std::shared_ptr<const material::CreepLaw>> make_creep_laws(const std::vector<config::CreepMechanism>& from);
+
+/// What a gasket or a spring is made of for its creep; null without laws.
+std::shared_ptr<const material::Material> creep_alone(const std::string& name,
+                                                      std::vector<std::shared_ptr<const material::CreepLaw>> laws,
+                                                      double reference_temperature = 0);
+/// Area that a node of a body has on its surface, about.
+double nodal_area(const mechanics::Body& body);
 
 /// Gaskets by their names.
 using GasketKinds = std::map<std::string, std::shared_ptr<const contact::GasketKind>>;

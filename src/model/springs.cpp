@@ -80,16 +80,13 @@ contact::GasketCurve curve_of(const config::Spring& spring, double area) {
     curve = {{-far, far}, {spring.preload - *spring.stiffness * far, spring.preload + *spring.stiffness * far}};
   } else {
     curve = {spring.curve->closure, spring.curve->force};
-    contact::GasketLaw::spring(curve);  // throws if it does not increase
+    const contact::ClosureCurve given =
+        contact::GasketLaw::spring(curve).curve(0, 0);  // throws if it does not increase
     if (spring.preload != 0) {
-      const std::vector<double>&force = curve.pressure, &closure = curve.closure;
-      const auto found = std::ranges::lower_bound(force, spring.preload) - force.begin();
-      const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(found, 1, std::ssize(force) - 1));
-      if (spring.preload < force.front())
+      if (spring.preload < curve.pressure.front())
         throw std::invalid_argument(fmt::format("preload: {:.6g} is below the first force of the curve, {:.6g}",
-                                                spring.preload, force.front()));
-      const double at =
-          closure[i - 1] + (spring.preload - force[i - 1]) * (closure[i] - closure[i - 1]) / (force[i] - force[i - 1]);
+                                                spring.preload, curve.pressure.front()));
+      const double at = given.closure(spring.preload);
       for (double& value : curve.closure) value -= at;
     }
   }
@@ -125,9 +122,7 @@ contact::Pair make_spring(const config::Spring& spring, const config::Config& co
   add(second, 1);
   if (!has_ground) add(first, -1);
   const mechanics::Body &slave = bodies[second.body], &master = bodies[first.body];
-  Eigen::AlignedBox3d box;
-  for (const Vector3& x : slave.mesh().nodes) box.extend(x);
-  const double area = std::pow(box.diagonal().norm() / std::cbrt(static_cast<double>(slave.mesh().nodes.size())), 2);
+  const double area = nodal_area(slave);
   contact::Pair pair;
   pair.name = spring.name;
   pair.slave_body = second.body;
@@ -139,12 +134,7 @@ contact::Pair make_spring(const config::Spring& spring, const config::Config& co
   pair.gap_per_value = Eigen::VectorXd::Zero(1);
   contact::GasketKind kind{spring.name, contact::GasketLaw::spring(curve_of(spring, area))};
   kind.stress_per_pressure = area;
-  if (!spring.creep.empty()) {
-    material::Material creep;
-    creep.name = "spring " + spring.name;
-    for (const config::CreepMechanism& mechanism : spring.creep) creep.creep.push_back(make_creep_law(mechanism));
-    kind.creep = std::make_shared<const material::Material>(std::move(creep));
-  }
+  kind.creep = creep_alone("spring " + spring.name, make_creep_laws(spring.creep));
   pair.gasket = std::make_shared<const contact::Gasket>(std::make_shared<const contact::GasketKind>(std::move(kind)),
                                                         std::nullopt, std::vector<Vector3>(1, Vector3::Zero()));
   return pair;

@@ -101,10 +101,10 @@ ContactSurfaces::Values ContactSurfaces::values(const Surface& surface, const cr
     if (!std::isnan(result[k].gap) && std::abs(here.pressure) <= std::abs(result[k].pressure)) return;
     result[k] = here;
   };
-  for (std::size_t i = 0; i < contact.coupling.nodes.size(); ++i)
-    show(contact.coupling.nodes[i].node, contact_values(contact, i, at));
+  const PairValues values(contact, at);
+  for (std::size_t i = 0; i < contact.coupling.nodes.size(); ++i) show(contact.coupling.nodes[i].node, values[i]);
   for (const contact::MortarCoupling::Image& image : contact.coupling.images) {
-    ContactValues here = contact_values(contact, image.of, at);
+    ContactValues here = values[image.of];
     here.traction = contact.coupling.sector->rotation * here.traction;
     show(image.at.node, here);
   }
@@ -145,7 +145,7 @@ std::vector<io::FieldData> ContactSurfaces::point_arrays(const creep::Equilibriu
   for (const OutputVariable* variable : variables_of(at)) {
     const auto& multipliers = std::get<AtMultipliers>(variable->support);
     if (multipliers.models == AtMultipliers::In::with_friction && !std::exchange(has_traction, true))
-      arrays.push_back(std::move(traction));
+      arrays.push_back(std::exchange(traction, {}));
     io::FieldData& array = arrays.emplace_back(io::FieldData{variable->name, 1, {}});
     for (const ContactValues& here : all) array.values.push_back(here.*multipliers.value);
   }

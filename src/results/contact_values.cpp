@@ -12,53 +12,59 @@ namespace {
 
 constexpr double at_the_limit = 1 - 1e-6;  // of mu times the pressure
 
-double open_gap(const contact::Pair& pair, std::size_t node, const creep::Equilibrium& at) {
-  const double gap = at.gaps[pair.first_row + pair.coupling.row(node)] / pair.coupling.area[node];
-  if (!pair.gasket) return gap;
-  if (contact::is_closed(pair, node, at.contact)) return 0;
-  const double largest = at.largest_closure[pair.first_node + static_cast<Index>(node)];
-  return gap + pair.gasket->kind().law.curve(largest, pair.gasket->temperatures(at.time)[node]).begin();
-}
-
 }  // namespace
 
-Eigen::VectorXd open_gaps(const contact::Pair& pair, const creep::Equilibrium& at) {
-  Eigen::VectorXd gaps(std::ssize(pair.coupling.nodes));
+PairValues::PairValues(const contact::Pair& pair, const creep::Equilibrium& at) : pair_(pair), at_(at) {
+  if (!pair.gasket) return;
+  temperatures_ = pair.gasket->temperatures(at.time);
+  growth_ = pair.gasket->growth(at.time);
+}
+
+double PairValues::open_gap(std::size_t node) const {
+  const double gap = at_.gaps[pair_.first_row + pair_.coupling.row(node)] / pair_.coupling.area[node];
+  if (!pair_.gasket) return gap;
+  if (contact::is_closed(pair_, node, at_.contact)) return 0;
+  const double largest = at_.largest_closure[pair_.first_node + static_cast<Index>(node)];
+  return gap + pair_.gasket->kind().law.curve(largest, temperatures_[node]).begin();
+}
+
+Eigen::VectorXd PairValues::open_gaps() const {
+  Eigen::VectorXd gaps(std::ssize(pair_.coupling.nodes));
   for (Index i = 0; i < gaps.size(); ++i) {
     const auto node = static_cast<std::size_t>(i);
-    gaps[i] = pair.coupling.area[node] * open_gap(pair, node, at);
+    gaps[i] = pair_.coupling.area[node] * open_gap(node);
   }
   return gaps;
 }
 
-ContactValues contact_values(const contact::Pair& pair, std::size_t node, const creep::Equilibrium& at) {
+ContactValues PairValues::operator[](std::size_t node) const {
   using contact::ContactStatus;
-  const contact::MortarCoupling& coupling = pair.coupling;
-  const auto multiplier = at.contact.multiplier.segment(pair.first_row, coupling.n_rows());
+  const contact::MortarCoupling& coupling = pair_.coupling;
+  const auto multiplier = at_.contact.multiplier.segment(pair_.first_row, coupling.n_rows());
   const bool tied = coupling.type == contact::ContactType::tied;
   ContactValues result;
   result.pressure = coupling.pressure(node, multiplier);
   const Vector3 shear = coupling.shear(node, multiplier);
   result.traction = -(result.pressure * coupling.nodes[node].normal + shear);
   result.shear = shear.norm();
-  const auto number = pair.first_node + static_cast<Index>(node);
-  if (!tied) result.gap = open_gap(pair, node, at);
-  if (pair.gasket) {
-    result.creep_closure = at.creep_closure.empty() ? 0 : at.creep_closure[static_cast<std::size_t>(number)];
-    result.closure = result.creep_closure - at.gaps[pair.first_row + coupling.row(node)] / coupling.area[node] +
-                     pair.gasket->growth(at.time)[node];
-    result.largest_closure = at.largest_closure[number];
+  const auto number = pair_.first_node + static_cast<Index>(node);
+  if (!tied) result.gap = open_gap(node);
+  if (pair_.gasket) {
+    result.creep_closure = at_.creep_closure.empty() ? 0 : at_.creep_closure[static_cast<std::size_t>(number)];
+    result.closure =
+        result.creep_closure - at_.gaps[pair_.first_row + coupling.row(node)] / coupling.area[node] + growth_[node];
+    result.largest_closure = at_.largest_closure[number];
   }
-  ContactStatus status = contact::is_closed(pair, node, at.contact) ? ContactStatus::slip : ContactStatus::open;
+  ContactStatus status = contact::is_closed(pair_, node, at_.contact) ? ContactStatus::slip : ContactStatus::open;
   if (tied) status = ContactStatus::stick;
   if (coupling.has_friction()) {
-    const contact::NodeLinearization& law = at.contact.nodes[static_cast<std::size_t>(number)];
+    const contact::NodeLinearization& law = at_.contact.nodes[static_cast<std::size_t>(number)];
     status = law.status;
     // At an accepted state nothing has slid since the last one: there the traction decides.
     if (status != ContactStatus::open)
       status =
           result.shear >= at_the_limit * law.friction * result.pressure ? ContactStatus::slip : ContactStatus::stick;
-    result.slip = at.friction.path[number];
+    result.slip = at_.friction.path[number];
   }
   result.status = static_cast<double>(status);
   return result;

@@ -32,7 +32,7 @@ class AreaProbe final : public Probe {
         sum += shares.dot(Eigen::Map<const Eigen::VectorXd>(pair.coupling.area.data(), shares.size()));
       else
         sum += shares.dot(areas_[i].of_nodes(contact::closed_nodes(pair, snapshot.equilibrium().contact),
-                                             open_gaps(pair, snapshot.equilibrium())));
+                                             PairValues(pair, snapshot.equilibrium()).open_gaps()));
     }
     return sum;
   }
@@ -53,10 +53,10 @@ class MultiplierProbe final : public Probe {
     Reduction reduction(reduce_);
     for (const ContactPart& side : sides_) {
       const contact::Pair& pair = snapshot.assembly().pairs()[side.pair];
+      const PairValues values(pair, snapshot.equilibrium());
       for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
         if (is_extreme ? side.lies_within[i] == 0 : side.multiplier_shares[i] == 0) continue;
-        reduction.add(contact_values(pair, i, snapshot.equilibrium()).*multipliers_.value,
-                      side.multiplier_shares[i] * pair.coupling.area[i]);
+        reduction.add(values[i].*multipliers_.value, side.multiplier_shares[i] * pair.coupling.area[i]);
       }
     }
     // All members of a team know the state of the contacts.

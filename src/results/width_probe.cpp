@@ -28,18 +28,21 @@ class WidthProbe final : public Probe {
         const Vector3& place = request.model.bodies()[pair.slave_body].mesh().nodes[pair.coupling.nodes[i].node];
         const Vector3 arm = place - origin;
         const double angle = turns ? std::atan2(arm.dot(second), arm.dot(first)) : 0.0;
-        nodes_.push_back({part.pair, i, part.multiplier_shares[i] * pair.coupling.area[i], angle,
+        nodes_.push_back({pairs_.size(), i, part.multiplier_shares[i] * pair.coupling.area[i], angle,
                           (arm - arm.dot(axis) * axis).norm()});
       }
+      pairs_.push_back(part.pair);
     }
     if (turns) divide();
   }
 
   double value(Snapshot& snapshot) const override {
     std::vector<double> sum(n_sections_, 0.0), area(n_sections_, 0.0);
+    std::vector<PairValues> values;
+    for (const std::size_t pair : pairs_)
+      values.emplace_back(snapshot.assembly().pairs()[pair], snapshot.equilibrium());
     for (const Node& node : nodes_) {
-      const contact::Pair& pair = snapshot.assembly().pairs()[node.pair];
-      sum[node.section] += node.area * (contact_values(pair, node.number, snapshot.equilibrium()).*value_);
+      sum[node.section] += node.area * (values[node.part][node.number].*value_);
       area[node.section] += node.area;
     }
     Reduction reduction(reduce_);
@@ -50,7 +53,7 @@ class WidthProbe final : public Probe {
 
  private:
   struct Node {
-    std::size_t pair, number;
+    std::size_t part, number;
     double area, angle, radius;
     std::size_t section = 0;
   };
@@ -83,6 +86,7 @@ class WidthProbe final : public Probe {
 
   double ContactValues::*value_;
   config::Reduce reduce_;
+  std::vector<std::size_t> pairs_;  // of the parts
   std::vector<Node> nodes_;
   std::size_t n_sections_ = 1;
 };

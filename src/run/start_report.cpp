@@ -28,8 +28,9 @@ struct ContactStart {
 
 ContactStart contact_start(const contact::Pair& pair, const creep::Equilibrium& at) {
   ContactStart start{.force = results::normal_force(pair, at.contact.multiplier)};
+  const results::PairValues values(pair, at);
   for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
-    const results::ContactValues here = results::contact_values(pair, i, at);
+    const results::ContactValues here = values[i];
     start.touches = start.touches || here.gap <= touching * std::sqrt(pair.coupling.area[i]);
     start.peak = std::max(start.peak, here.pressure);
     start.slip = std::max(start.slip, here.slip);

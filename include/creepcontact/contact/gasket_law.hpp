@@ -47,6 +47,8 @@ class GasketLaw {
   static GasketLaw spring(GasketCurve curve);
 
   double thickness() const { return thickness_; }
+  /// True of a spring that carries tension.
+  bool pulls() const { return pulls_; }
   /// Pressure over closure after a largest closure. @param temperature  of the gasket; beyond those given the nearest
   ClosureCurve curve(double largest, double temperature) const;
   /// The closure at which the first of the loading curves ends, beyond which they are extrapolated; infinity for a

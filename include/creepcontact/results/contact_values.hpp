@@ -19,11 +19,24 @@ struct ContactValues {
   double status = 0;  ///< 0: open, 1: stick, 2: slip (a closed contact without friction slips)
 };
 
-/// Distances of the surfaces at all nodes, weighted by their areas; with a gasket those from it as it is left, zero
-/// where it is pressed.
-Eigen::VectorXd open_gaps(const contact::Pair& pair, const creep::Equilibrium& at);
+/// The values of a pair at one state, by its multiplier nodes. Pair and state must outlive it. With a gasket the
+/// constructor evaluates the temperatures of all nodes; each node then costs a few operations.
+class PairValues {
+ public:
+  PairValues(const contact::Pair& pair, const creep::Equilibrium& at);
 
-ContactValues contact_values(const contact::Pair& pair, std::size_t node, const creep::Equilibrium& at);
+  ContactValues operator[](std::size_t node) const;
+  /// Distances of the surfaces at all nodes, weighted by their areas; with a gasket those from it as it is left, zero
+  /// where it is pressed.
+  Eigen::VectorXd open_gaps() const;
+
+ private:
+  double open_gap(std::size_t node) const;
+
+  const contact::Pair& pair_;
+  const creep::Equilibrium& at_;
+  std::vector<double> temperatures_, growth_;  // of the gasket
+};
 
 /// Sum of pressure times nodal area over the pair; of a preloaded tied contact the tension across it. @param
 /// multipliers  of all pairs

@@ -79,8 +79,6 @@ class GasketSolver final : public ContactSolver {
     std::vector<ClosureCurve::Line> lines;
     for (const std::size_t i : gaskets_) {
       const ContactNode& node = problem_.nodes[i];
-      // A spring that does not pull lets go of its row.
-      if (node.set == AdmissibleSet::space && !load.curves[i].pulls()) linear_.nodes[i].set = AdmissibleSet::half_line;
       lines.push_back(load.curves[i].line(closure[static_cast<Index>(i)]));
       compliance[node.first_row] = node.gasket_area / lines.back().slope;
       shifted.gap[node.first_row] += node.gasket_area * lines.back().zero;

@@ -7,7 +7,7 @@
 /// space) have gap = 0, and nodes with Coulomb friction (a cone) have, in addition to the conditions of the normal row,
 ///   |lambda_t| <= mu lambda_n,   gap_t = -gamma lambda_t,   gamma >= 0,   gamma (|lambda_t| - mu lambda_n) = 0
 /// where gap_t is the slip since the last accepted step.
-/// In nodes of a gasket the pressure is a function of the closure instead, see ClosureCurve; where it is one line, such
+/// A gasket makes the pressure a function of the closure instead, see ClosureCurve; where it is one line, such
 /// a node is unilateral with its compliance on the diagonal of F, which is how ContactProblem::compliance arises.
 /// F_b is the flexibility of body b on its rows: the gaps that unit multipliers open by straining the body. In a body
 /// held by contact alone, some fixing dofs are held in a statically determinate way. F_b depends on their choice, the
@@ -43,7 +43,8 @@ struct ContactNode {
   int first_row = 0;
   int n_rows = 1;  ///< half_line: 1; space: any number; cone: the normal row and one or two tangential ones
   int slave_body = 0, master_body = 0;
-  /// Integral of the node's test function [area] if a gasket or a spring is there; else 0. Tied nodes are springs.
+  /// Integral of the node's test function [area] if a gasket or a spring is there; else 0. Tied nodes are springs that
+  /// pull.
   double gasket_area = 0;
 
   bool has_gasket() const { return gasket_area > 0; }
