@@ -92,6 +92,13 @@ std::map<std::string, List> lists() {
                                 "loads and supports of generalised plane strain are not taken from a reference node; "
                                 "remove it if there are none") +
                         refused({"COMPOSITE"}, "layers are not known; a section for each of them is");
+  of["GASKET SECTION"] = taken({"ELSET", "BEHAVIOR", "MATERIAL"}) + ignored({"ORIENTATION"}) +
+                         left_out({"STABILIZATION STIFFNESS"}, "there is no artificial stiffness");
+  of["GASKET BEHAVIOR"] = taken({"NAME"});
+  of["GASKET THICKNESS BEHAVIOR"] = taken({"SLOPE DROP", "YIELD ONSET"}) + of_table() +
+                                    one_of("DIRECTION", {"LOADING", "UNLOADING"}) +
+                                    one_of("TYPE", {"ELASTIC-PLASTIC", "DAMAGE"}) + one_of("VARIABLE", {"STRESS"}) +
+                                    ignored({"TENSILE STIFFNESS FACTOR"});
   // Materials
   of["MATERIAL"] = taken({"NAME"}) + ignored({"RTOL", "SRATE FACTOR", "STRAIN RATE REGULARIZATION"});
   of["ELASTIC"] = taken({"TYPE"}) + of_table() + only("MODULI", {"INSTANTANEOUS", "LONG TERM"});

@@ -40,6 +40,9 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     read("ELSET", &DeckReader::element_set);
     read("SURFACE", &DeckReader::surface);
     read("SOLID SECTION", &DeckReader::solid_section);
+    read("GASKET SECTION", &DeckReader::gasket_section);
+    read("GASKET BEHAVIOR", &DeckReader::gasket_behavior);
+    read("GASKET THICKNESS BEHAVIOR", &DeckReader::gasket_thickness_behavior);
     read("MATERIAL", &DeckReader::material);
     read("ELASTIC", &DeckReader::elastic);
     read("EXPANSION", &DeckReader::expansion);
@@ -129,6 +132,10 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
         {"DAMPING", "MODAL DAMPING", "CONTACT DAMPING"});
     add(Kind::left_out, "contact is solved without tolerances and stabilisation of its own",
         {"CONTACT CONTROLS", "CONTACT CONTROLS ASSIGNMENT"});
+    add(Kind::left_out,
+        "a gasket has no stiffness in its plane and in shear; give the contact 'friction' where it holds",
+        {"GASKET ELASTICITY"});
+    add(Kind::left_out, "it counts for output only", {"GASKET CONTACT AREA"});
     add(Kind::left_out, "the first surface of a pair is the slave", {"CONTACT FORMULATION"});
     add(Kind::impossible, "couplings are not known; *RIGID BODY, *EQUATION and loads on surfaces are",
         {"COUPLING", "KINEMATIC", "DISTRIBUTING", "KINEMATIC COUPLING", "DISTRIBUTING COUPLING", "EMBEDDED ELEMENT",

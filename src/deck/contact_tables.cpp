@@ -1,7 +1,7 @@
 /// [[contacts]]: contact pairs, ties, and bolts that are locked
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -9,6 +9,7 @@
 #include "contact_adjustment.hpp"
 #include "draft.hpp"
 #include "element_faces.hpp"
+#include "gasket_tables.hpp"
 #include "node_to_face_ties.hpp"
 
 namespace creepcontact::deck {
@@ -30,6 +31,7 @@ class ContactMaker {
     for (const RawCard* raw : draft_.cards("CONTACT PAIR")) contact_pair(*raw);
     general_contact();
     for (const RawCard* raw : draft_.cards("TIE")) tie(*raw);
+    for (const GasketLayer& layer : draft_.gaskets) gasket(layer);
     for (const PretensionSection& section : draft_.sections) bolt(section);
   }
 
@@ -91,7 +93,7 @@ class ContactMaker {
     if (curve.pressure.size() < 2 || curve.pressure.front() != 0 || !is_increasing(curve.pressure) ||
         !is_increasing(curve.closure))
       return draft_.refuse(raw, "expected at least two rows that increase, the first one with the pressure 0");
-    own_->gasket = name_of_gasket();
+    own_->gasket = name_of_gasket(draft_, own_->name);
     config::Gasket made;
     made.name = own_->gasket;
     made.thickness = 1;
@@ -100,18 +102,6 @@ class ContactMaker {
     const std::string key = "gaskets." + own_->gasket;
     draft_.comment(key, raw.card.place.text() + ": *SURFACE BEHAVIOR");
     draft_.comment(key + ".thickness", "does not matter here: the curve is one of closures");
-  }
-
-  /// The name of the interaction as a key can have it.
-  std::string name_of_gasket() const {
-    std::string name;
-    for (const char letter : own_->name) name += std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_';
-    const auto is_taken = [&](const std::string& one) {
-      return std::ranges::find(draft_.config.gaskets, one, &config::Gasket::name) != draft_.config.gaskets.end();
-    };
-    std::string free = name;
-    for (int i = 2; is_taken(free); ++i) free = fmt::format("{}_{}", name, i);
-    return free;
   }
 
   /// Rows of a coefficient and what it depends on; in CalculiX the stiffness of sticking, which is infinite here.
@@ -331,6 +321,44 @@ class ContactMaker {
       const std::string other = surface(raw, line[1]), own = surface(raw, line[0]);
       tied(raw.card.place, raw.card.name, own, other);
     }
+  }
+
+  /// The elements of a gasket become a law of the contact of what they lie between.
+  void gasket(const GasketLayer& layer) {
+    const GasketSection& section = layer.section;
+    const auto refuse = [&](const std::string& why) {
+      draft_.impossible.push_back({section.place, "GASKET SECTION", why});
+    };
+    const std::string law = make_gasket(draft_, layer);
+    if (law.empty()) return;
+    const double thickness = draft_.deck.sections.empty() ? 1 : draft_.deck.sections.front().thickness;
+    const bool is_plane = draft_.is_section() && draft_.analysis != settings::Analysis::axisymmetric;
+    if (is_plane && section.width.value_or(thickness) != thickness)
+      return refuse(fmt::format("the width {:.6g} out of the plane is not that of the bodies, {:.6g}",
+                                section.width.value_or(thickness), thickness));
+    const std::string& name = draft_.deck.element_sets.at(section.elements).name;
+    std::array<std::string, 2> groups;
+    for (const std::size_t side : {0, 1})
+      groups[side] = draft_.mesh.add_faces(name + (side == 0 ? "_lower" : "_upper"), layer.faces[side]);
+    config::Contact made = contact(groups[layer.slave], groups[1 - layer.slave]);
+    made.gasket = {law};
+    made.gap = rounded(section.gap);
+    if (const auto found = interactions_.find(upper_case(layer.interaction)); found != interactions_.end()) {
+      if (!found->second.gasket.empty() || found->second.tied)
+        return refuse("the *CONTACT PAIR that holds it has a law of its own; only friction is known there");
+      if (!found->second.friction.is_zero()) made.friction = found->second.friction.function();
+    }
+    if (std::ranges::any_of(layer.nodes, [&](std::int64_t node) {
+          return !draft_.is_used(node) && draft_.loading.supports.contains(node);
+        }))
+      draft_.left_out.push_back({section.place, "GASKET SECTION",
+                                 "supports of nodes of the gasket, which has none here; only its bodies can be held"});
+    const bool slides = made.friction.is_zero();
+    draft_.comment(add(std::move(made), section.place, "GASKET SECTION") + ".gap", "of the uncompressed gasket");
+    if (layer.shears && slides)
+      draft_.left_out.push_back({section.place, "GASKET SECTION",
+                                 "the bodies slide along the gasket without resistance; give the contact 'friction' "
+                                 "if it holds them"});
   }
 
   /// A bolt whose length is held from some time on keeps the force of that time: a preload.

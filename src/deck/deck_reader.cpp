@@ -140,8 +140,10 @@ void DeckReader::data(const DataLine& line) {
 void DeckReader::finish_card() {
   on_data_ = nullptr;
   if (!pending_.empty()) {
-    mistake(pending_place_, fmt::format("element {} of type {} has {} of its {} nodes", pending_.front(),
-                                        block_->type.name, pending_.size() - 1, mesh::n_nodes(block_->type.cell)));
+    mistake(pending_place_,
+            fmt::format("element {} of type {} has {} of its {} nodes", pending_.front(), current_.value("TYPE"),
+                        pending_.size() - 1,
+                        gasket_ ? gasket_->n_nodes : static_cast<std::size_t>(mesh::n_nodes(block_->type.cell))));
     pending_.clear();
   }
 }
@@ -161,7 +163,16 @@ Deck DeckReader::finish() {
     if (material.cyclic_hardening && (!material.plastic || material.hardening != "COMBINED"))
       deck_.impossible.push_back({material.cyclic_hardening->place, "CYCLIC HARDENING",
                                   "it belongs to *PLASTIC, HARDENING=COMBINED; other plasticity has its own table"});
+  for (const GasketSection& section : deck_.gasket_sections)
+    if (!deck_.element_sets.contains(section.elements))
+      mistake(fmt::format("{}: *GASKET SECTION: there is no element set '{}'", section.place.text(), section.elements));
   std::set<std::int64_t> missing;
+  for (const GasketElement& gasket : deck_.gaskets)
+    for (const Numbers& side : gasket.sides)
+      for (const std::int64_t node : side)
+        if (!deck_.node_of_number.contains(node) && missing.insert(node).second)
+          mistake(Card{"ELEMENT", {}, gasket.place}.message(
+              fmt::format("element {} has the node {}, which no *NODE defines", gasket.number, node)));
   for (const ElementBlock& block : deck_.elements) {
     const auto n = static_cast<std::size_t>(mesh::n_nodes(block.type.cell));
     for (std::size_t i = 0; i < block.nodes.size(); ++i)

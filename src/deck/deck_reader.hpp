@@ -54,6 +54,7 @@ class DeckReader {
   void element_set(const Card& card);
   void surface(const Card& card);
   void solid_section(const Card& card);
+  void gasket_section(const Card& card);
   // Materials
   void material(const Card& card);
   void elastic(const Card& card);
@@ -65,6 +66,8 @@ class DeckReader {
   void plastic(const Card& card);
   void cyclic_hardening(const Card& card);
   void physical_constants(const Card& card);
+  void gasket_behavior(const Card& card);
+  void gasket_thickness_behavior(const Card& card);
   void amplitude(const Card& card);
   // Steps
   void step(const Card& card);
@@ -97,6 +100,9 @@ class DeckReader {
   void add_node(const DataLine& line, Set* set);
   void add_spring(const std::string& type, const DataLine& line);
   void add_to_element(const DataLine& line);
+  /// Adds an element that is complete. @param own  its number and nodes
+  void add_solid(const Numbers& own, const Place& place);
+  void add_gasket(const GasketShape& shape, const Numbers& own, const Place& place);
   void finish_card();
   /// Adds members to the sets of `into_` that were named before they were defined.
   void add_late_members();
@@ -133,8 +139,10 @@ class DeckReader {
   Card current_;
   std::function<void(const DataLine&)> on_data_;
   Material* material_ = nullptr;
+  GasketBehavior* behavior_ = nullptr;  // to which *GASKET THICKNESS BEHAVIOR belongs
   bool step_open_ = false;
   ElementBlock* block_ = nullptr;
+  std::optional<GasketShape> gasket_;  // of the elements that are read, instead of a block
   Set* element_set_ = nullptr;
   Numbers pending_;  // number and nodes of an element that goes on in the next line
   Place pending_place_;

@@ -12,6 +12,7 @@
 
 #include "bodies.hpp"
 #include "creepcontact/config/writer.hpp"
+#include "gasket_layers.hpp"
 #include "linear_equations.hpp"
 #include "mesh_output.hpp"
 #include "node_frames.hpp"
@@ -34,6 +35,7 @@ struct Draft {
   Bodies bodies;
   Loading loading;
   std::vector<PretensionSection> sections;
+  std::vector<GasketLayer> gaskets;
   std::vector<RigidGroup> rigid;
   std::vector<DeckEquation> equations;
   settings::Analysis analysis = settings::Analysis::solid;

@@ -88,6 +88,12 @@ std::vector<ElementFace> faces_of(const Deck& deck, const Surface& surface, std:
       nodes.insert(found.begin(), found.end());
       continue;
     }
+    if (!entry.side.empty()) {
+      refuse(entry, fmt::format("{}: a side of a gasket, which only *TIE and *CONTACT PAIR can name, or of a shell; "
+                                "shells are not known",
+                                entry.side));
+      continue;
+    }
     const Numbers elements = resolver.elements(entry.target);
     if (elements.empty()) refuse(entry, fmt::format("there is no element or set '{}'", entry.target));
     for (const std::int64_t number : elements) {

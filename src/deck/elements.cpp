@@ -115,6 +115,29 @@ std::optional<ElementType> element_type(std::string_view name) {
   return std::nullopt;
 }
 
+std::optional<GasketShape> gasket_shape(std::string_view name) {
+  struct Gasket {
+    std::string_view name;
+    std::size_t n_nodes;
+    int n_corners;  // of a side
+    int upper;      // place of the first corner of the upper side
+  };
+  static constexpr std::array gaskets{Gasket{"GK3D6", 6, 3, 3},   Gasket{"GK3D8", 8, 4, 4}, Gasket{"GK3D12M", 12, 3, 6},
+                                      Gasket{"GK3D18", 18, 4, 8}, Gasket{"GKAX4", 4, 2, 2}, Gasket{"GKPE4", 4, 2, 2},
+                                      Gasket{"GKPS4", 4, 2, 2}};
+  const std::string upper = upper_case(name);
+  for (const Gasket& gasket : gaskets) {
+    if (upper != gasket.name && upper != std::string(gasket.name) + "N") continue;
+    GasketShape shape{gasket.n_nodes, {}, upper == gasket.name};
+    for (int i = 0; i < gasket.n_corners; ++i) {
+      shape.corners[0].push_back(i);
+      shape.corners[1].push_back(gasket.upper + i);
+    }
+    return shape;
+  }
+  return std::nullopt;
+}
+
 const std::vector<int>& gmsh_order(CellType cell) {
   static const std::map<CellType, std::vector<int>> orders = [] {
     std::map<CellType, std::vector<int>> all;

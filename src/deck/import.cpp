@@ -136,15 +136,17 @@ Import make(Draft& draft) {
 }  // namespace
 
 Import import_deck(Deck deck, const std::string& name) {
+  std::vector<Note> impossible;
+  std::vector<GasketLayer> gaskets = take_gaskets(deck, impossible);
   merge_matching_ties(deck);
   adjust_contacts(deck);
-  std::vector<Note> impossible;
   std::vector<PretensionSection> sections = cut_sections(deck, impossible);
   Import result;
   io::MshContent mesh;
   {
     Draft draft(deck, name, std::move(impossible));
     draft.sections = std::move(sections);
+    draft.gaskets = std::move(gaskets);
     result = make(draft);
     mesh = draft.mesh.take();
   }

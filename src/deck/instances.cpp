@@ -71,6 +71,7 @@ void DeckReader::merge_instance() {
   Numbers all_elements;
   for (const ElementBlock& block : deck_.elements)
     all_elements.insert(all_elements.end(), block.numbers.begin(), block.numbers.end());
+  for (const GasketElement& gasket : deck_.gaskets) all_elements.push_back(gasket.number);
   const Instance offsets{largest(deck_.node_numbers), largest(all_elements)};
   if (!instances_.emplace(instance_name_, offsets).second)
     mistake(current_.place, fmt::format("the instance '{}' exists already", instance_name_));
@@ -93,6 +94,12 @@ void DeckReader::merge_instance() {
       into->numbers.push_back(number + offsets.element_offset);
     }
     for (const std::int64_t node : block.nodes) into->nodes.push_back(node + offsets.node_offset);
+  }
+  for (GasketElement gasket : instance_deck_.gaskets) {
+    gasket.number += offsets.element_offset;
+    for (Numbers& side : gasket.sides)
+      for (std::int64_t& node : side) node += offsets.node_offset;
+    deck_.gaskets.push_back(std::move(gasket));
   }
   const auto add_sets = [&](const std::map<std::string, Set>& from, std::map<std::string, Set>& to,
                             std::int64_t offset) {
@@ -118,6 +125,10 @@ void DeckReader::merge_instance() {
     section.elements = prefix + section.elements;
     if (instance_deck_.orientations.contains(section.orientation)) section.orientation = prefix + section.orientation;
     deck_.sections.push_back(std::move(section));
+  }
+  for (GasketSection section : instance_deck_.gasket_sections) {
+    section.elements = prefix + section.elements;
+    deck_.gasket_sections.push_back(std::move(section));
   }
   for (const auto& [name, orientation] : instance_deck_.orientations) {
     Orientation& made = deck_.orientations[prefix + name];

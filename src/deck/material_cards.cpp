@@ -12,6 +12,7 @@ namespace creepcontact::deck {
 void DeckReader::material(const Card& card) {
   const std::string name = required(card, "NAME");
   material_ = &deck_.materials[upper_case(name)];
+  behavior_ = nullptr;
   material_->name = name;
   material_->place = card.place;
 }
@@ -188,6 +189,41 @@ void DeckReader::physical_constants(const Card& card) {
     if (!zero) return mistake(card.place, fmt::format("ABSOLUTE ZERO: '{}' is not a number", given));
     deck_.absolute_zero = *zero;
   }
+}
+
+void DeckReader::gasket_behavior(const Card& card) {
+  const std::string name = required(card, "NAME");
+  behavior_ = &deck_.gasket_behaviors[upper_case(name)];
+  material_ = &behavior_->material;
+  material_->name = name;
+  material_->place = card.place;
+}
+
+void DeckReader::gasket_thickness_behavior(const Card& card) {
+  if (behavior_ == nullptr) return mistake(card.place, "it belongs below *GASKET BEHAVIOR; there is none before it");
+  const bool unloads = upper_case(card.value("DIRECTION")) == "UNLOADING";
+  if (upper_case(card.value("TYPE")) == "DAMAGE") behavior_->is_damage = true;
+  const auto value = [&](const char* parameter) {
+    const auto given = number(card.value(parameter));
+    if (!given) mistake(card.place, fmt::format("{}: '{}' is not a number", parameter, card.value(parameter)));
+    return given;
+  };
+  if (card.has("SLOPEDROP")) behavior_->slope_drop = value("SLOPEDROP").value_or(0);
+  if (card.has("YIELDONSET")) behavior_->yield_onset = value("YIELDONSET");
+  std::optional<Table>& table = unloads ? behavior_->unloading : behavior_->loading;
+  if (table) return mistake(card.place, fmt::format("the gasket '{}' has one already", behavior_->material.name));
+  table = Table{card.place, {}};
+  const std::size_t columns = unloads ? 4 : 3;  // with the temperature
+  on_data_ = [this, &table, columns](const DataLine& line) {
+    if (!is_short_enough(line, columns)) return;
+    std::vector<double> row;
+    for (std::size_t i = 0; i < columns; ++i) {
+      const std::optional<double> given = real(line, i);
+      if (!given) return;
+      row.push_back(*given);
+    }
+    table->rows.push_back(std::move(row));
+  };
 }
 
 void DeckReader::amplitude(const Card& card) {

@@ -1,5 +1,7 @@
 /// [bodies.<name>] and [materials.<name>]
 
+#include "material_tables.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -72,8 +74,12 @@ Function expansion_coefficient(const Draft& draft, const Material& material, std
   return function_of_temperature(points);
 }
 
+bool expands(const Draft& draft, const Material& material) {
+  return material.expansion && !material.expansion->rows.empty() && !draft.loading.temperatures.empty();
+}
+
 void make_expansion(const Draft& draft, const Material& material, config::Material& made) {
-  if (!material.expansion || material.expansion->rows.empty() || draft.loading.temperatures.empty()) return;
+  if (!expands(draft, material)) return;
   const std::size_t n = material.expands_along_axes ? 3 : 1;
   made.thermal_expansion.clear();
   for (std::size_t axis = 0; axis < n; ++axis)
@@ -93,12 +99,12 @@ class CreepMaker {
  public:
   CreepMaker(Draft& draft, const Material& material) : draft_(draft), material_(material), table_(*material.creep) {}
 
-  void make(config::Material& made) {
+  /// @param key  of the law
+  config::CreepMechanism make(const std::string& key) {
     set_law();
-    made.creep.push_back(law_);
-    const std::string key = fmt::format("materials.{}.creep[0]", made.name);
     draft_.comment(key, table_.place.text());
     if (!comment_.empty()) draft_.comment(key + ".law", comment_);
+    return law_;
   }
 
  private:
@@ -205,7 +211,6 @@ void make_material(Draft& draft, const Material& material, config::Material& mad
   const std::size_t of_expansion = material.expands_along_axes ? 3 : 1;
   bool in_order = is_in_order(draft, "ELASTIC", *material.elastic, is_isotropic ? 2 : 9);
   if (material.expansion) in_order &= is_in_order(draft, "EXPANSION", *material.expansion, of_expansion);
-  if (material.creep && material.creep_law != "HYPERB") in_order &= is_in_order(draft, "CREEP", *material.creep, 3);
   if (!in_order) return;
   if (is_isotropic) {
     made.young_modulus = function_of_temperature(*material.elastic, 0, 2);
@@ -227,17 +232,31 @@ void make_material(Draft& draft, const Material& material, config::Material& mad
                      material.name)});
   make_expansion(draft, material, made);
   if (material.potential) make_hill(draft, material, made);
-  if (!material.creep) return;
-  if (has_creep_steps(draft))
-    CreepMaker(draft, material).make(made);
-  else
-    draft.left_out.push_back({material.creep->place, "CREEP",
-                              fmt::format("creep does not act in *STATIC steps, and the deck has no *VISCO step; the "
-                                          "material is elastic{}",
-                                          yields(material) ? " and yields" : "")});
+  make_creep(draft, material, yields(material) ? "material is elastic and yields" : "material is elastic", made.creep,
+             "materials." + made.name);
 }
 
 }  // namespace
+
+std::optional<Function> expansion_of(Draft& draft, const Material& material) {
+  if (!expands(draft, material) || material.expands_along_axes ||
+      !is_in_order(draft, "EXPANSION", *material.expansion, 1))
+    return std::nullopt;
+  draft.varies = draft.varies || material.expansion->rows.size() > 1;
+  return expansion_coefficient(draft, material, 0, 1);
+}
+
+void make_creep(Draft& draft, const Material& material, const std::string& what_is_left,
+                std::vector<config::CreepMechanism>& creep, const std::string& key) {
+  if (!material.creep) return;
+  if (material.creep_law != "HYPERB" && !is_in_order(draft, "CREEP", *material.creep, 3)) return;
+  if (has_creep_steps(draft))
+    creep.push_back(CreepMaker(draft, material).make(key + ".creep[0]"));
+  else
+    draft.left_out.push_back(
+        {material.creep->place, "CREEP",
+         fmt::format("creep does not act in *STATIC steps, and the deck has no *VISCO step; the {}", what_is_left)});
+}
 
 void make_bodies_and_materials(Draft& draft) {
   const auto& materials = draft.deck.materials;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 #include <unordered_set>
+#include <utility>
 
 #include "deck_reader.hpp"
 
@@ -62,6 +63,11 @@ void DeckReader::element(const Card& card) {
     on_data_ = [this, spring](const DataLine& line) { add_spring(spring, line); };
     return;
   }
+  gasket_ = gasket_shape(name);
+  if (gasket_) {
+    on_data_ = [this](const DataLine& line) { add_to_element(line); };
+    return;
+  }
   if (!type) {
     into_->impossible.push_back(
         {card.place, card.name,
@@ -95,7 +101,7 @@ void DeckReader::add_spring(const std::string& type, const DataLine& line) {
 
 void DeckReader::add_to_element(const DataLine& line) {
   if (pending_.empty()) pending_place_ = line.place;
-  const auto n_nodes = static_cast<std::size_t>(mesh::n_nodes(block_->type.cell));
+  const std::size_t n_nodes = gasket_ ? gasket_->n_nodes : static_cast<std::size_t>(mesh::n_nodes(block_->type.cell));
   for (const std::string_view field : line.fields) {
     const std::optional<std::int64_t> own = label(line, field, "the number of an element or a node");
     if (!own) {
@@ -105,19 +111,29 @@ void DeckReader::add_to_element(const DataLine& line) {
     if (pending_.size() > n_nodes) break;
     pending_.push_back(*own);
   }
-  const std::size_t given = pending_.size();
-  if (given < n_nodes + 1) return;
-  const std::int64_t number = pending_.front();
-  const Deck::ElementPlace place{static_cast<std::uint32_t>(block_ - into_->elements.data()),
-                                 static_cast<std::uint32_t>(block_->numbers.size())};
-  if (!into_->element_of_number.insert(number, place)) {
-    pending_.clear();
-    return mistake(line.place, fmt::format("element {} exists already", number));
-  }
-  block_->numbers.push_back(number);
-  block_->nodes.insert(block_->nodes.end(), pending_.begin() + 1, pending_.end());
-  if (element_set_ != nullptr) element_set_->members.push_back(number);
-  pending_.clear();
+  if (pending_.size() < n_nodes + 1) return;
+  const Numbers own = std::exchange(pending_, {});
+  if (gasket_)
+    add_gasket(*gasket_, own, line.place);
+  else
+    add_solid(own, line.place);
+  if (element_set_ != nullptr) element_set_->members.push_back(own.front());
+}
+
+void DeckReader::add_solid(const Numbers& own, const Place& place) {
+  const Deck::ElementPlace in_block{static_cast<std::uint32_t>(block_ - into_->elements.data()),
+                                    static_cast<std::uint32_t>(block_->numbers.size())};
+  if (!into_->element_of_number.insert(own.front(), in_block))
+    return mistake(place, fmt::format("element {} exists already", own.front()));
+  block_->numbers.push_back(own.front());
+  block_->nodes.insert(block_->nodes.end(), own.begin() + 1, own.end());
+}
+
+void DeckReader::add_gasket(const GasketShape& shape, const Numbers& own, const Place& place) {
+  GasketElement made{own.front(), {}, shape.shears, place};
+  for (std::size_t side = 0; side < 2; ++side)
+    for (const int corner : shape.corners[side]) made.sides[side].push_back(own[1 + static_cast<std::size_t>(corner)]);
+  into_->gaskets.push_back(std::move(made));
 }
 
 void DeckReader::node_set(const Card& card) {
@@ -225,11 +241,8 @@ void DeckReader::surface(const Card& card) {
     SurfaceEntry entry{std::string(line.field(0)), 0, line.place};
     const std::string label = upper_case(line.field(1));
     if (label == "SPOS" || label == "SNEG") {
-      into_->impossible.push_back(
-          {line.place, "SURFACE", fmt::format("{}: a side of a shell; shells are not known", label)});
-      return;
-    }
-    if (!surface.of_nodes && !label.empty()) {
+      entry.side = label;
+    } else if (!surface.of_nodes && !label.empty()) {
       const auto face =
           label.size() > 1 && (label[0] == 'S' || label[0] == 'P') ? whole_number(label.substr(1)) : std::nullopt;
       if (!face || *face < 1 || *face > 6)
@@ -248,6 +261,26 @@ void DeckReader::solid_section(const Card& card) {
   on_data_ = [this](const DataLine& line) {
     if (const auto thickness = line.field(0).empty() ? std::nullopt : real(line, 0))
       into_->sections.back().thickness = *thickness;
+  };
+}
+
+void DeckReader::gasket_section(const Card& card) {
+  if (card.has("MATERIAL")) {
+    into_->impossible.push_back(
+        {card.place, card.name, "MATERIAL: gaskets of a material are not known; BEHAVIOR with *GASKET BEHAVIOR is"});
+    return;
+  }
+  GasketSection section{
+      upper_case(required(card, "ELSET")), upper_case(required(card, "BEHAVIOR")), {}, 0, 0, {}, card.place};
+  if (section.elements.empty() || section.behavior.empty()) return;
+  into_->gasket_sections.push_back(std::move(section));
+  on_data_ = [this](const DataLine& line) {
+    GasketSection& own = into_->gasket_sections.back();
+    const auto given = [&](std::size_t field) { return line.field(field).empty() ? std::nullopt : real(line, field); };
+    own.thickness = given(0);
+    own.gap = given(1).value_or(0);
+    own.space = given(2).value_or(0);
+    own.width = given(3);
   };
 }
 

@@ -36,6 +36,14 @@ struct SpringElement {
   Place place;
 };
 
+/// An element of a gasket: the corners of its lower side (SNEG) and its upper one (SPOS).
+struct GasketElement {
+  std::int64_t number = 0;
+  std::array<Numbers, 2> sides;
+  bool shears = true;
+  Place place;
+};
+
 struct Set {
   std::string name;  ///< as written
   Numbers members;   ///< in the order of the deck; those listed one by one may repeat
@@ -46,6 +54,7 @@ struct SurfaceEntry {
   std::string target;
   int face = 0;
   Place place;
+  std::string side = {};  ///< SPOS or SNEG, instead of a face
 };
 struct Surface {
   std::string name;  ///< as written
@@ -95,6 +104,25 @@ struct Section {
   std::string orientation = {};  ///< in upper case; empty: none
 };
 
+/// *GASKET BEHAVIOR
+struct GasketBehavior {
+  Material material;  ///< its name, expansion and creep
+  bool is_damage = false;
+  std::optional<Table> loading;    ///< pressure, closure, temperature
+  std::optional<Table> unloading;  ///< pressure, closure, residual or largest closure, temperature
+  double slope_drop = 0.1;         ///< where plasticity begins, of the largest slope so far
+  std::optional<double> yield_onset;
+};
+
+/// *GASKET SECTION
+struct GasketSection {
+  std::string elements, behavior;   ///< names in upper case
+  std::optional<double> thickness;  ///< nullopt: that of the mesh
+  double gap = 0, space = 0;        ///< of the thickness: open at the start, and without material
+  std::optional<double> width;      ///< out of the plane
+  Place place;
+};
+
 struct Amplitude {
   std::string name;
   bool total_time = false;
@@ -131,6 +159,9 @@ struct Deck {
   std::vector<Vector3> positions;  ///< by node_numbers
   std::vector<ElementBlock> elements;
   std::vector<SpringElement> springs;
+  std::vector<GasketElement> gaskets;
+  std::vector<GasketSection> gasket_sections;
+  std::map<std::string, GasketBehavior> gasket_behaviors;
   std::map<std::string, Set> node_sets, element_sets;  ///< by name in upper case
   std::map<std::string, Surface> surfaces;
   std::map<std::string, Material> materials;

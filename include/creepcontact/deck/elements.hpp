@@ -2,6 +2,7 @@
 /// Element types of decks: what they become, and the numbers of their nodes and faces.
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,15 @@ struct ElementType {
 
 /// nullopt if the program has no such element: shells, beams, springs, coupled fields.
 std::optional<ElementType> element_type(std::string_view name);
+
+/// A gasket element: its two sides, one opposite the other.
+struct GasketShape {
+  std::size_t n_nodes = 0;
+  std::array<std::vector<int>, 2> corners;  ///< places (from 0) of the corners of SNEG, the lower side, and SPOS
+  bool shears = true;                       ///< it has stiffness in shear too
+};
+/// Types of Abaqus: GK3D6, GK3D8, GK3D12M, GK3D18, GKAX4, GKPE4, GKPS4, each with N too. nullopt: another element.
+std::optional<GasketShape> gasket_shape(std::string_view name);
 
 /// Returns the node of the deck (from 0) that a type has at each place of the cell, in Gmsh's order.
 const std::vector<int>& gmsh_order(mesh::CellType cell);

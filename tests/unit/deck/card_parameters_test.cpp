@@ -67,7 +67,8 @@ TEST(CardParameters, UnknownOnesAreRefusedForEveryCard) {
     const bool in_step =
         rule.where == DeckReader::Where::step || name == "STATIC" || name == "VISCO" || name == "NO ANALYSIS";
     const std::string end = in_step || name == "STEP" ? "\n*END STEP" : name == "PART" ? "\n*END PART" : "";
-    const Deck deck = deck_of("*MATERIAL, NAME=M\n" + std::string(in_step ? "*STEP\n" : "") + card + end + "\n");
+    const Deck deck = deck_of("*MATERIAL, NAME=M\n*GASKET BEHAVIOR, NAME=G\n" + std::string(in_step ? "*STEP\n" : "") +
+                              card + end + "\n");
     EXPECT_TRUE(says(consequences(deck.impossible), {"NOVELTY: ", "unknown"})) << name;
   }
 }
