@@ -134,6 +134,7 @@ contact::Pair make_spring(const config::Spring& spring, const config::Config& co
   pair.gap_per_value = Eigen::VectorXd::Zero(1);
   contact::GasketKind kind{spring.name, contact::GasketLaw::spring(curve_of(spring, area))};
   kind.stress_per_pressure = area;
+  kind.is_spring = true;
   kind.creep = creep_alone("spring " + spring.name, make_creep_laws(spring.creep));
   pair.gasket = std::make_shared<const contact::Gasket>(std::make_shared<const contact::GasketKind>(std::move(kind)),
                                                         std::nullopt, std::vector<Vector3>(1, Vector3::Zero()));

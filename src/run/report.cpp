@@ -112,6 +112,8 @@ std::string outcome_table(const io::Summary& summary) {
   if (summary.plastic_error.value_or(0) > 0)
     text += fmt::format("  plastic flow: estimated error of the stress {:.2g} of the yield stress\n",
                         *summary.plastic_error);
+  if (summary.gasket_error.value_or(0) > 0)
+    text += fmt::format("  gaskets: estimated error of the largest closure {:.2g} of it\n", *summary.gasket_error);
   return text;
 }
 

@@ -147,6 +147,18 @@ INSTANTIATE_TEST_SUITE_P(Integrators, GasketCreep,
                                          "integrator = \"beta_euler\"\nstep = \"adaptive\"",
                                          "integrator = \"explicit_euler\"\nstep = \"adaptive\""));
 
+TEST(Gasket, CreepsWithTheOrderOfTheMethod) {
+  const auto error = [](const std::string& method, int steps) {
+    const Outcome run = run_case(
+        joint(norton, by_force, fmt::format("[time]\nend = 400\nstep = {}\n{}\n", 400.0 / steps, method)), geo);
+    return std::abs(run.history.at("contact_pressure", 400) - relaxed(400));
+  };
+  const std::string implicit = "integrator = \"beta_euler\"\nbeta = ";
+  for (const auto& [method, order] :
+       {std::pair<std::string, int>{"integrator = \"explicit_euler\"", 1}, {implicit + "1", 1}, {implicit + "0.5", 2}})
+    EXPECT_NEAR(std::log2(error(method, 20) / error(method, 40)), order, 0.1) << method;
+}
+
 TEST(Gasket, CreepsAsItsRelaxationTestSays) {
   // P_QR 0.85 from 50 MPa in 4 h, in a rig of 1000 kN/mm on 4762 mm2; in this joint 0.8731 are left.
   const Table history =
@@ -168,6 +180,35 @@ TEST(Gasket, RemembersAMaximumBetweenItsSteps) {
   const double exact = run(1e-6);
   EXPECT_NEAR(run(1e-3), exact, 1e-3 * 50);
   EXPECT_NEAR(run(1e-4), exact, 1e-4 * 50);
+}
+
+TEST(Gasket, TellsTheErrorOfAMaximumBetweenItsSteps) {
+  const auto run = [](const std::string& gap) {
+    return run_case(joint(norton, "gap = " + gap, "[time]\nend = 1000\ntolerance = 1e-2\n"), geo)
+        .summary.number("gasket_error");
+  };
+  const double turned = run("\"-0.5 - 0.4*sin(_pi*t/1000)\"");
+  EXPECT_GT(turned, 1e-6);
+  EXPECT_LT(turned, 1e-2);
+  EXPECT_EQ(run("\"-0.5 - 0.0004*t\""), 0);
+}
+
+TEST(Gasket, WarnsOutsideTheRangesOfItsData) {
+  const auto warnings = [](const std::string& gasket) {
+    std::string all;
+    for (const std::string& one :
+         run_case(joint(gasket, by_force, "[temperature]\nvalue = \"20 + 100*t\"\n[time]\nend = 2\n"), geo)
+             .summary.texts("warnings"))
+      all += one + "\n";
+    return all;
+  };
+  const std::string law = "creep = [{ law = \"norton\", A = 1e-20, n = 5, ", at_20 = "reference_temperature = 20\n";
+  EXPECT_EQ(warnings(at_20 + law + "stress_range = [0, 60], temperature_range = [0, 300] }]"), "");
+  const std::string outside = warnings(at_20 + law + "stress_range = [0, 40], temperature_range = [0, 100] }]");
+  EXPECT_TRUE(says(outside, {"gasket 'graphite': creep[0]", "pressure", "50", "stress_range"})) << outside;
+  EXPECT_TRUE(says(outside, {"gasket 'graphite': creep[0]", "temperature", "temperature_range"})) << outside;
+  EXPECT_TRUE(says(warnings(at_20 + "thermal_expansion = { T = [0, 100], values = [1e-5, 2e-5] }"),
+                   {"gasket 'graphite': thermal_expansion", "outside its table"}));
 }
 
 TEST(Gasket, GrowsWithTheTemperature) {

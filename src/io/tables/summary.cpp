@@ -135,6 +135,7 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   json["time_reached"] = summary.time_reached;
   if (summary.last_output) json["last_output"] = *summary.last_output;
   if (summary.plastic_error) json["plastic_error"] = *summary.plastic_error;
+  if (summary.gasket_error) json["gasket_error"] = *summary.gasket_error;
   json["integrator"] = summary.integrator;
   if (!summary.method.empty()) json["method"] = summary.method;
   for (const RunCounters::Field& field : RunCounters::fields) json[std::string(field.name)] = summary.*field.value;

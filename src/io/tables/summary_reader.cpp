@@ -145,6 +145,7 @@ std::optional<Summary> parse_summary(std::string_view text) {
     summary.time_reached = json.at("time_reached");
     summary.last_output = number_if_any(json, "last_output");
     summary.plastic_error = number_if_any(json, "plastic_error");
+    summary.gasket_error = number_if_any(json, "gasket_error");
     for (const RunCounters::Field& field : RunCounters::fields) summary.*field.value = count(json, field.name);
     summary.events = events_of(json);
     summary.warnings = json.value("warnings", std::vector<std::string>());

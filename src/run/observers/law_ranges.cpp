@@ -19,7 +19,9 @@ class LawRanges final : public Observer {
  private:
   void observe(StepView& view) {
     const creep::Evaluation& at = view.evaluation();
-    monitor_.observe(at.time, context_.system().assembly().bodies(), at.equilibrium, context_.team());
+    const creep::Assembly& assembly = context_.system().assembly();
+    monitor_.observe(at.time, assembly.bodies(), at.equilibrium, context_.team());
+    monitor_.observe(assembly.pairs(), at.equilibrium);
   }
 
   const RunContext& context_;

@@ -12,7 +12,7 @@ namespace creepcontact::run {
 using MakeObserver = std::unique_ptr<Observer>(const RunContext& context);
 
 MakeObserver observe_cycles, write_result_files, observe_step_statistics, observe_law_ranges, observe_preloads,
-    observe_plastic_error, observe_probes, observe_outcome, observe_friction_uniqueness, observe_equilibrium_residual,
+    observe_history_errors, observe_probes, observe_outcome, observe_friction_uniqueness, observe_equilibrium_residual,
     observe_contact_width, observe_life, observe_events, observe_small_strains;
 
 /// All of them, in the order in which they are asked. Cycles come first: others count what a cycle that is closed has

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
+#include <numbers>
 #include <stdexcept>
 
 #include "creepcontact/contact/gasket.hpp"
@@ -85,6 +87,25 @@ TEST(GasketHistory, FindsAMaximumBetweenSteps) {
   for (const double t : {1.2, 1.5, 1.8}) history.advance(t, Eigen::VectorXd::Constant(1, std::sin(t)));
   EXPECT_NEAR(history.largest[0], 1, 1e-3);
   EXPECT_GT(history.largest[0], std::sin(1.5) + 1e-3);
+}
+
+// The estimate is of the size of the error, also where the steps are uneven; nothing else has one.
+TEST(GasketHistory, EstimatesTheErrorOfAMaximum) {
+  const auto passed = [](std::initializer_list<double> times) {
+    GasketHistory history;
+    history.largest.setZero(1);
+    for (const double t : times) history.advance(t, Eigen::VectorXd::Constant(1, std::exp(t / 2) * std::sin(t)));
+    return history;
+  };
+  const double at = std::numbers::pi - std::atan(2.0), exact = std::exp(at / 2) * std::sin(at);
+  for (const auto& times :
+       {std::initializer_list<double>{1.2, 1.7, 2.2, 2.7}, {1.6, 1.9, 2.2, 2.5, 2.8}, {1.5, 1.9, 2.4, 2.6}}) {
+    const GasketHistory history = passed(times);
+    const double error = std::abs(history.largest[0] - exact);
+    EXPECT_GT(history.error[0], 0.3 * error);
+    EXPECT_LT(history.error[0], 10 * error);
+  }
+  EXPECT_EQ(passed({0.3, 0.6, 0.9, 1.2}).error[0], 0);
 }
 
 }  // namespace

@@ -348,7 +348,7 @@ INSTANTIATE_TEST_SUITE_P(Steels, MaterialLibrary, testing::ValuesIn([] {
                            for (const LibraryMaterial& steel : library()) keys.push_back(steel.key);
                            return keys;
                          }()),
-                         [](const auto& info) { return "of_" + info.param; });
+                         [](const auto& of) { return "of_" + of.param; });
 
 }  // namespace
 }  // namespace creepcontact::run

@@ -125,6 +125,8 @@ struct Summary : RunCounters {
   double time_reached = 0;
   /// Estimated error of plastic flow, of the stress relative to the yield stress; nullopt: no material yields.
   std::optional<double> plastic_error;
+  /// Estimated error of the largest closures of gaskets, relative to them; nullopt: none unloads by a curve of its own.
+  std::optional<double> gasket_error;
   std::optional<double> last_output;  ///< time of the last output, whose values are those of the end
   std::map<std::string, Body> bodies;
   /// Largest values per body, if its material has them.
