@@ -171,8 +171,7 @@ class GasketTaker {
                                                        std::size_t side, std::string& interaction) {
     for (const RawCard& raw : deck_.cards) {
       if (raw.card.name != "TIE" && raw.card.name != "CONTACT PAIR") continue;
-      for (std::size_t line = 0; line < raw.data.size(); ++line) {
-        const std::vector<std::string>& names = raw.data[line];
+      for (const std::vector<std::string>& names : raw.data) {
         for (std::size_t own = 0; own < 2 && names.size() >= 2; ++own) {
           if (!holds(names[own], elements, side)) continue;
           const std::string& other = names[1 - own];
@@ -182,7 +181,8 @@ class GasketTaker {
                   ? faces_of(deck_, surface->second, impossible_)
                   : faces_of(deck_, {other, true, {{upper_case(other), 0, raw.card.place}}}, impossible_);
           if (faces.empty()) continue;
-          consumed_.insert({static_cast<std::size_t>(&raw - deck_.cards.data()), line});
+          consumed_.insert({static_cast<std::size_t>(&raw - deck_.cards.data()),
+                            static_cast<std::size_t>(&names - raw.data.data())});
           if (raw.card.name == "CONTACT PAIR" && !raw.card.has("TIED")) interaction = raw.card.value("INTERACTION");
           return faces;
         }
