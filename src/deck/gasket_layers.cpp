@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <set>
 
 #include "element_faces.hpp"
@@ -192,9 +193,9 @@ class GasketTaker {
   }
 
   void remove_cards() {
-    for (auto at = consumed_.rbegin(); at != consumed_.rend(); ++at) {  // the last ones first: places stay as they are
-      const auto card = deck_.cards.begin() + static_cast<std::ptrdiff_t>(at->first);
-      card->data.erase(card->data.begin() + static_cast<std::ptrdiff_t>(at->second));
+    for (const auto& [number, line] : std::views::reverse(consumed_)) {  // the last ones first: places stay as they are
+      const auto card = deck_.cards.begin() + static_cast<std::ptrdiff_t>(number);
+      card->data.erase(card->data.begin() + static_cast<std::ptrdiff_t>(line));
       if (card->data.empty()) deck_.cards.erase(card);
     }
   }

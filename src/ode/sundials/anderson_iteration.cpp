@@ -1,26 +1,21 @@
 #include "creepcontact/ode/anderson_iteration.hpp"
 
-#include <fmt/format.h>
 #include <kinsol/kinsol.h>
 
 #include <algorithm>
 #include <exception>
 #include <new>
-#include <stdexcept>
 #include <sundials/sundials_context.hpp>
 #include <utility>
 #include <vector>
 
 #include "../state_norms.hpp"
+#include "checked_call.hpp"
 #include "sundials_vector.hpp"
 
 namespace creepcontact::ode {
 
 namespace {
-
-void check(int flag, const char* function) {
-  if (flag < 0) throw std::runtime_error(fmt::format("{} failed with flag {}", function, flag));
-}
 
 /// Every end of the iterations is an error to KINSOL, see evaluate().
 void ignore_message(int, const char*, const char*, char*, void*) {}
@@ -42,17 +37,17 @@ struct AndersonIteration::Kinsol {
     if (!memory || !ones) throw std::bad_alloc();
     N_VConst(1.0, ones.get());
     void* const kinsol = memory.get();
-    check(KINSetErrHandlerFn(kinsol, ignore_message, nullptr), "KINSetErrHandlerFn");
-    check(KINSetUserData(kinsol, this), "KINSetUserData");
-    check(KINSetNumMaxIters(kinsol, std::numeric_limits<int>::max()), "KINSetNumMaxIters");  // the step ends it
-    check(KINSetMAA(kinsol, static_cast<long>(std::min<double>(depth, team.sum(static_cast<double>(size))))),
+    require_success(KINSetErrHandlerFn(kinsol, ignore_message, nullptr), "KINSetErrHandlerFn");
+    require_success(KINSetUserData(kinsol, this), "KINSetUserData");
+    require_success(KINSetNumMaxIters(kinsol, std::numeric_limits<int>::max()), "KINSetNumMaxIters");  // the step ends it
+    require_success(KINSetMAA(kinsol, static_cast<long>(std::min<double>(depth, team.sum(static_cast<double>(size))))),
           "KINSetMAA");
     // Residuals of proportional states are almost parallel; with one orthogonalisation the acceleration begins again so
     // often that it reaches half as far.
-    check(KINSetOrthAA(kinsol, KIN_ORTH_CGS2), "KINSetOrthAA");
+    require_success(KINSetOrthAA(kinsol, KIN_ORTH_CGS2), "KINSetOrthAA");
     // KINSOL judges the accelerated step, which may be short far from the solution: the caller judges instead.
-    check(KINSetFuncNormTol(kinsol, std::numeric_limits<double>::min()), "KINSetFuncNormTol");
-    check(KINInit(kinsol, evaluate, iterate.get()), "KINInit");
+    require_success(KINSetFuncNormTol(kinsol, std::numeric_limits<double>::min()), "KINSetFuncNormTol");
+    require_success(KINInit(kinsol, evaluate, iterate.get()), "KINInit");
   }
 
   /// No exception may cross KINSOL, and the one way for us to end its iterations is an unrecoverable failure.
@@ -105,7 +100,7 @@ void AndersonIteration::run(std::span<double> y, const Step& step) {
     // Success means that y no longer changes or is not a number (whose norm KINSOL takes for 0): both begin again.
     const int flag = KINSol(kinsol.memory.get(), kinsol.iterate.get(), KIN_FP, kinsol.ones.get(), kinsol.ones.get());
     if (kinsol.failure) std::rethrow_exception(std::exchange(kinsol.failure, nullptr));
-    if (flag != KIN_SYSFUNC_FAIL) check(flag, "KINSol");
+    if (flag != KIN_SYSFUNC_FAIL) require_success(flag, "KINSol");
   }
   std::ranges::copy(kinsol.image, y.begin());
 }

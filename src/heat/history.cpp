@@ -1,0 +1,118 @@
+#include "creepcontact/heat/history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "creepcontact/ode/implicit_integrator.hpp"
+
+namespace creepcontact::heat {
+namespace {
+
+constexpr double for_steps = 0.2,
+                 for_output = 0.3;  // of the tolerance: for the root mean square, and the largest error
+
+struct Node {
+  double t = 0;
+  std::vector<double> value, rate;
+};
+
+/// Cubic Hermite polynomial between two nodes.
+double between(const Node& a, const Node& b, std::size_t i, double t) {
+  const double h = b.t - a.t, s = (t - a.t) / h;
+  const double r = 1 - s;
+  return r * r * (1 + 2 * s) * a.value[i] + s * s * (3 - 2 * s) * b.value[i] +
+         s * r * h * (r * a.rate[i] - s * b.rate[i]);
+}
+
+/// The steps of one segment, thinned.
+class Segment {
+ public:
+  Segment(double allowed, History& into) : allowed_(allowed), into_(into) {}
+
+  void add(Node node) {
+    if (kept_.empty()) {
+      kept_.push_back(std::move(node));
+      return;
+    }
+    waiting_.push_back(std::move(node));
+    if (waiting_.size() > 1 && !is_reproduced()) {
+      Node last = std::move(waiting_.back());
+      waiting_.pop_back();
+      kept_.push_back(std::move(waiting_.back()));
+      waiting_.clear();
+      waiting_.push_back(std::move(last));
+    }
+  }
+
+  void finish() {
+    if (!waiting_.empty()) kept_.push_back(std::move(waiting_.back()));
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      Node& node = kept_[i];
+      if (i == 0 && !into_.times.empty()) {  // the end of the segment before
+        into_.rates_after.back() = node.rate;
+        if (into_.values.back() == node.value) continue;
+        node.t = std::nextafter(node.t, std::numeric_limits<double>::infinity());  // given temperatures jump
+      }
+      into_.times.push_back(node.t);
+      into_.values.push_back(std::move(node.value));
+      into_.rates_before.push_back(node.rate);
+      into_.rates_after.push_back(std::move(node.rate));
+    }
+  }
+
+ private:
+  /// Whether the last node and the last kept one reproduce all between them.
+  bool is_reproduced() const {
+    const Node &a = kept_.back(), &b = waiting_.back();
+    for (std::size_t k = 0; k + 1 < waiting_.size(); ++k)
+      for (std::size_t i = 0; i < a.value.size(); ++i)
+        if (!(std::abs(between(a, b, i, waiting_[k].t) - waiting_[k].value[i]) <= allowed_)) return false;
+    return true;
+  }
+
+  double allowed_;
+  History& into_;
+  std::vector<Node> kept_, waiting_;
+};
+
+}  // namespace
+
+History integrate(Conduction& problem, std::vector<double> start, const HistoryOptions& options) {
+  History result;
+  if (!(options.end > 0)) {
+    result.times = {0};
+    result.rates_before = result.rates_after = {std::vector<double>(start.size(), 0.0)};
+    result.values = {std::move(start)};
+    return result;
+  }
+  ode::ImplicitIntegrator integrator(problem, for_steps * options.tolerance);
+  std::vector<double> ends = options.kinks;
+  ends.push_back(options.end);
+  std::vector<double> y = std::move(start), rate(y.size());
+  double t = 0;
+  for (const double end : ends) {
+    // A function that jumps has its value after the jump at the beginning, and before it at the end.
+    const double begin = t > 0 ? std::nextafter(t, end) : t, last = end < options.end ? std::nextafter(end, t) : end;
+    problem.set_segment(begin, last);
+    problem.make_consistent(begin, y, rate);
+    integrator.start(begin, y, rate);
+    Segment segment(for_output * options.tolerance, result);
+    segment.add({t, y, rate});
+    while (integrator.time() < last) {
+      integrator.step(last);
+      segment.add({integrator.time() >= last ? end : integrator.time(),
+                   {integrator.state().begin(), integrator.state().end()},
+                   {integrator.rate().begin(), integrator.rate().end()}});
+    }
+    segment.finish();
+    result.n_steps += integrator.n_steps();
+    y.assign(integrator.state().begin(), integrator.state().end());
+    if (end < options.end) result.kinks.push_back(end);
+    t = end;
+  }
+  return result;
+}
+
+}  // namespace creepcontact::heat

@@ -1,0 +1,296 @@
+#include "patches.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <map>
+
+#include "creepcontact/base/index.hpp"
+#include "creepcontact/fem/tangents.hpp"
+
+namespace creepcontact::heat {
+namespace {
+
+constexpr double perfect = 1000;  // times the conductivity over the size of an element
+
+/// Exact for products of two shape functions on undistorted elements, with the radius of axisymmetric sections.
+fem::QuadratureRule rule_of(mesh::CellType type) {
+  using enum mesh::CellType;
+  if (mesh::dimension(type) == 1) return fem::gauss_line(mesh::order(type) + 2);
+  switch (mesh::linear_type(type)) {
+    case tri3:
+      return fem::triangle(2 * mesh::order(type) + 1);
+    case quad4:
+      return fem::gauss_quadrilateral(mesh::order(type) + 1);
+    case tet4:
+      return fem::tetrahedron(mesh::order(type) == 1 ? 2 : 4);
+    case wedge6:
+      return fem::wedge(2 * mesh::order(type), mesh::order(type) + 1);
+    default:
+      return fem::gauss_hexahedron(mesh::order(type) + 1);
+  }
+}
+
+/// Shape functions of a type at the points of its rule.
+struct Table {
+  explicit Table(mesh::CellType type) : element(fem::reference_element(type)), rule(rule_of(type)) {
+    for (Index q = 0; q < rule.size(); ++q) {
+      const Vector3 xi = rule.points.row(q).transpose();
+      element.shape(xi, shapes.emplace_back(element.n_nodes()));
+      element.gradient(xi, gradients.emplace_back(element.n_nodes(), 3));
+    }
+  }
+  static const Table& of(mesh::CellType type) {
+    static std::map<mesh::CellType, Table> all;
+    return all.try_emplace(type, type).first->second;
+  }
+
+  const fem::ReferenceElement& element;
+  fem::QuadratureRule rule;
+  std::vector<Eigen::VectorXd> shapes;
+  std::vector<Eigen::MatrixX3d> gradients;
+};
+
+Eigen::Matrix3Xd coordinates(const mesh::Mesh& mesh, std::span<const std::int64_t> nodes) {
+  Eigen::Matrix3Xd x(3, nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) x.col(static_cast<Index>(i)) = mesh.nodes[nodes[i]];
+  return x;
+}
+
+Arguments arguments(const Vector3& x, double t, double T) {
+  return {.x = x[0], .y = x[1], .z = x[2], .t = t, .T = T};
+}
+
+std::vector<int> unknowns(std::span<const std::int64_t> nodes, const std::vector<int>& unknown_of) {
+  std::vector<int> result;
+  for (const std::int64_t node : nodes) result.push_back(unknown_of[node]);
+  return result;
+}
+
+/// A cell of a body: conduction and capacity.
+class Cell final : public Patch {
+ public:
+  Cell(const Conductor& body, mesh::CellType type, std::span<const std::int64_t> cell, double time_unit)
+      : body_(body), table_(Table::of(type)), x_(coordinates(*body.mesh, cell)), time_unit_(time_unit) {
+    is_linear_ = !body.capacity.depends_on_temperature();
+    for (const Function& k : body.conductivity) is_linear_ = is_linear_ && !k.depends_on_temperature();
+    if (!is_linear_) return;
+    const Index n = x_.cols();
+    conduction_.setZero(n, n);
+    capacity_.setZero(n, n);
+    for_points(Eigen::VectorXd::Zero(n), [&](double weight, const auto& N, const auto& B, const Matrix3& k, double c) {
+      conduction_.noalias() += weight * B.transpose() * k * B;
+      capacity_.noalias() += weight * c * N * N.transpose();
+    });
+  }
+
+  void evaluate(const Moment& at, const Eigen::VectorXd& T, const Eigen::VectorXd& rate, Eigen::VectorXd& residual,
+                Eigen::MatrixXd* matrix) const override {
+    if (is_linear_) {
+      residual.noalias() = conduction_ * T + capacity_ * rate;
+      if (matrix != nullptr) *matrix = at.conduction * conduction_ + at.capacity * capacity_;
+      return;
+    }
+    residual.setZero(T.size());
+    if (matrix != nullptr) matrix->setZero(T.size(), T.size());
+    for_points(T, [&](double weight, const auto& N, const auto& B, const Matrix3& k, double c) {
+      const Vector3 flux = k * (B * T);
+      residual.noalias() += weight * (B.transpose() * flux + c * N.dot(rate) * N);
+      if (matrix == nullptr) return;
+      matrix->noalias() += at.conduction * weight * B.transpose() * k * B;
+      matrix->noalias() += at.capacity * weight * c * N * N.transpose();
+    });
+  }
+
+ private:
+  template <typename Work>
+  void for_points(const Eigen::VectorXd& T, const Work& work) const {
+    const mesh::Section& section = body_.mesh->section;
+    for (Index q = 0; q < table_.rule.size(); ++q) {
+      const Eigen::VectorXd& N = table_.shapes[static_cast<std::size_t>(q)];
+      const Matrix3 J = fem::jacobian(table_.element, x_, table_.gradients[static_cast<std::size_t>(q)]);
+      Eigen::Matrix3Xd B = J.inverse().transpose() * table_.gradients[static_cast<std::size_t>(q)].transpose();
+      if (section.dimension() == 2) B.row(2).setZero();
+      const Vector3 place = x_ * N;
+      const double weight = table_.rule.weights[q] * std::abs(J.determinant()) * section.depth(place);
+      const Arguments at = arguments(place, 0, N.dot(T));
+      Matrix3 k = body_.conductivity.front()(at) * Matrix3::Identity();
+      if (body_.conductivity.size() == 3) {
+        for (Index axis = 0; axis < 3; ++axis) k(axis, axis) = body_.conductivity[static_cast<std::size_t>(axis)](at);
+        if (body_.axes) {
+          const Matrix3 axes = body_.axes->at(place);
+          k = Matrix3(axes * k * axes.transpose());
+        }
+      }
+      work(weight, N, B, k, body_.capacity(at) / time_unit_);
+    }
+  }
+
+  const Conductor& body_;
+  const Table& table_;
+  Eigen::Matrix3Xd x_;
+  double time_unit_;
+  bool is_linear_ = false;
+  Eigen::MatrixXd conduction_, capacity_;
+};
+
+/// Heat that arises in a cell.
+class SourceCell final : public Patch {
+ public:
+  SourceCell(const Source& source, const Conductor& body, mesh::CellType type, std::span<const std::int64_t> cell)
+      : value_(source.value),
+        section_(body.mesh->section),
+        table_(Table::of(type)),
+        x_(coordinates(*body.mesh, cell)) {}
+
+  void evaluate(const Moment& at, const Eigen::VectorXd& T, const Eigen::VectorXd& /*rate*/, Eigen::VectorXd& residual,
+                Eigen::MatrixXd* matrix) const override {
+    residual.setZero(T.size());
+    if (matrix != nullptr) matrix->setZero(T.size(), T.size());
+    for (std::size_t q = 0; q < table_.shapes.size(); ++q) {
+      const Eigen::VectorXd& N = table_.shapes[q];
+      const Vector3 place = x_ * N;
+      const double volume = table_.rule.weights[static_cast<Index>(q)] * section_.depth(place) *
+                            std::abs(fem::jacobian(table_.element, x_, table_.gradients[q]).determinant());
+      residual.noalias() -= volume * value_(arguments(place, at.t, N.dot(T))) * N;
+    }
+  }
+
+ private:
+  Function value_;
+  mesh::Section section_;
+  const Table& table_;
+  Eigen::Matrix3Xd x_;
+};
+
+/// A film, a flux or radiation on a face.
+class FlowFace final : public Patch {
+ public:
+  FlowFace(const SurfaceFlow& flow, const Conductor& body, const mesh::Face& face, double absolute_zero)
+      : flow_(flow), absolute_zero_(absolute_zero), table_(Table::of(face.type)) {
+    const Eigen::Matrix3Xd x = coordinates(*body.mesh, face.nodes);
+    for (std::size_t q = 0; q < table_.shapes.size(); ++q) {
+      places_.push_back(x * table_.shapes[q]);
+      areas_.push_back(table_.rule.weights[static_cast<Index>(q)] * body.mesh->section.depth(places_.back()) *
+                       fem::area_vector(table_.element, x, table_.gradients[q]).norm());
+    }
+  }
+
+  void evaluate(const Moment& at, const Eigen::VectorXd& T, const Eigen::VectorXd& /*rate*/, Eigen::VectorXd& residual,
+                Eigen::MatrixXd* matrix) const override {
+    using Kind = SurfaceFlow::Kind;
+    residual.setZero(T.size());
+    if (matrix != nullptr) matrix->setZero(T.size(), T.size());
+    for (std::size_t q = 0; q < places_.size(); ++q) {
+      const Eigen::VectorXd& N = table_.shapes[q];
+      const double own = N.dot(T);
+      const Arguments here = arguments(places_[q], at.t, own);
+      const double factor = flow_.factor(here);
+      if (flow_.kind == Kind::flux) {
+        residual.noalias() -= areas_[q] * factor * N;
+        continue;
+      }
+      const double beyond = flow_.beyond(here);
+      double inwards = factor * (beyond - own), slope = factor;
+      if (flow_.kind == Kind::radiation) {
+        const double a = beyond - absolute_zero_, b = own - absolute_zero_;
+        inwards = factor * (a * a * a * a - b * b * b * b);
+        slope = 4 * factor * std::abs(b * b * b);
+      }
+      residual.noalias() -= areas_[q] * inwards * N;
+      if (matrix != nullptr) matrix->noalias() += at.conduction * areas_[q] * slope * N * N.transpose();
+    }
+  }
+
+ private:
+  const SurfaceFlow& flow_;
+  double absolute_zero_;
+  const Table& table_;
+  std::vector<Vector3> places_;
+  std::vector<double> areas_;
+};
+
+/// Two faces that see each other. The nodes are those of the first, then those of the second.
+class InterfaceFaces final : public Patch {
+ public:
+  InterfaceFaces(const Interface& interface, const contact::FacingFaces& faces, const Conductor& first,
+                 const Conductor& second)
+      : interface_(interface), faces_(faces), first_(first), second_(second) {}
+
+  void evaluate(const Moment& at, const Eigen::VectorXd& T, const Eigen::VectorXd& /*rate*/, Eigen::VectorXd& residual,
+                Eigen::MatrixXd* matrix) const override {
+    residual.setZero(T.size());
+    if (matrix != nullptr) matrix->setZero(T.size(), T.size());
+    const auto n_first = static_cast<Index>(faces_.first_nodes.size());
+    Eigen::VectorXd jump(T.size());
+    for (const contact::FacingFaces::Point& point : faces_.points) {
+      jump << point.first, -point.second;
+      const double mean = (point.first.dot(T.head(n_first)) + point.second.dot(T.tail(T.size() - n_first))) / 2;
+      const double h = point.area * conductance(arguments(point.position, at.t, mean));
+      residual.noalias() += h * jump.dot(T) * jump;
+      if (matrix != nullptr) matrix->noalias() += at.conduction * h * jump * jump.transpose();
+    }
+  }
+
+ private:
+  double conductance(const Arguments& at) const {
+    if (!interface_.is_perfect) return interface_.conductance(at);
+    double k = 0;
+    for (const Conductor* body : {&first_, &second_})
+      for (const Function& one : body->conductivity) k = std::max(k, one(at));
+    return perfect * k / faces_.size;
+  }
+
+  const Interface& interface_;
+  const contact::FacingFaces& faces_;
+  const Conductor &first_, &second_;
+};
+
+}  // namespace
+
+Patches cell_patches(const Conductor& body, const std::vector<int>& unknown_of, double time_unit) {
+  Patches result;
+  for (const mesh::CellBlock& block : body.mesh->blocks) {
+    if (!body.mesh->is_bulk(block.type)) continue;
+    for (std::size_t c = 0; c < block.size(); ++c) {
+      result.push_back(std::make_unique<Cell>(body, block.type, block.cell(c), time_unit));
+      result.back()->nodes = unknowns(block.cell(c), unknown_of);
+    }
+  }
+  return result;
+}
+
+Patches source_patches(const Source& source, const Conductor& body, const std::vector<int>& unknown_of) {
+  Patches result;
+  for (const mesh::CellBlock& block : body.mesh->blocks) {
+    if (!body.mesh->is_bulk(block.type)) continue;
+    for (std::size_t c = 0; c < block.size(); ++c) {
+      result.push_back(std::make_unique<SourceCell>(source, body, block.type, block.cell(c)));
+      result.back()->nodes = unknowns(block.cell(c), unknown_of);
+    }
+  }
+  return result;
+}
+
+Patches flow_patches(const SurfaceFlow& flow, const Conductor& body, const std::vector<int>& unknown_of,
+                     double absolute_zero) {
+  Patches result;
+  for (const mesh::Face& face : flow.faces) {
+    result.push_back(std::make_unique<FlowFace>(flow, body, face, absolute_zero));
+    result.back()->nodes = unknowns(face.nodes, unknown_of);
+  }
+  return result;
+}
+
+Patches interface_patches(const Interface& interface, const Definition& definition, const UnknownOf& unknown_of) {
+  Patches result;
+  for (const contact::FacingFaces& faces : interface.faces) {
+    result.push_back(std::make_unique<InterfaceFaces>(interface, faces, definition.bodies[interface.first],
+                                                      definition.bodies[interface.second]));
+    result.back()->nodes = unknowns(faces.first_nodes, unknown_of[interface.first]);
+    const std::vector<int> second = unknowns(faces.second_nodes, unknown_of[interface.second]);
+    result.back()->nodes.insert(result.back()->nodes.end(), second.begin(), second.end());
+  }
+  return result;
+}
+
+}  // namespace creepcontact::heat
