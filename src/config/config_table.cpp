@@ -40,6 +40,8 @@ Value<Config> config_table(const Vocabulary& vocabulary) {
                     "the axial strain of sections, common to all bodies or of each by itself"),
       field<Config>("temperature", &Config::temperature, temperature_table(), "temperature of all bodies")
           .otherwise("each material is at its `reference_temperature`"),
+      field<Config>("heat", &Config::heat, heat_table(), "the temperature of all bodies is computed")
+          .otherwise("it is not"),
       field<Config>("gaskets", &Config::gaskets, named(gasket_table(vocabulary)),
                     "gaskets between surfaces, by the pressure over their closure"),
       field<Config>("contacts", &Config::contacts, tables(contact_table()), "pairs of surfaces in contact"),

@@ -181,6 +181,11 @@ Value<Contact> contact_table() {
           .otherwise("none: the surfaces touch"),
       field<ContactKeys>("friction", &ContactKeys::friction, function({"x", "y", "z", "t", "T"}, at_least(0)),
                          "coefficient of Coulomb friction; unilateral contacts only"),
+      field<ContactKeys>("conductance", &ContactKeys::conductance, conductance_value(),
+                         "with `[heat]`: heat per area, degree and time that crosses the contact; `\"perfect\"`: as if "
+                         "the bodies were one; `\"insulated\"`: none")
+          .in("power/(area temperature)")
+          .otherwise("required with `[heat]` unless the contact is tied, which is perfect"),
   });
   return converted<Contact>(keys, make_contact, keys_of_contact);
 }

@@ -62,10 +62,11 @@ bool by_temperature(const Rupture& rupture) {
 /// Requires a choice: without [temperature] a material is at its reference temperature, which must then be the user's
 /// choice.
 void check_temperature(const Config& config, const Item& root, Diagnostics& errors) {
-  if (root.has("temperature")) return;
+  if (config.has_temperature()) return;
   for (const Contact& contact : config.contacts)
     if (contact.friction.depends_on_temperature())
-      errors.add(contact.location, "'friction' depends on T, but no temperature is given", "with [temperature]");
+      errors.add(contact.location, "'friction' depends on T, but no temperature is given",
+                 "with [temperature] or [heat]");
   const auto report = [&](const Location& where) {
     errors.add(where, "depends on T, but no temperature is given", "with [temperature] or a reference_temperature");
   };
@@ -118,7 +119,7 @@ void check_temperature(const Config& config, const Item& root, Diagnostics& erro
 
 /// Thermal strain is counted from the reference temperature, which has no natural value.
 void check_reference_temperature(const Config& config, const Item& root, Diagnostics& errors) {
-  if (!root.has("temperature")) return;
+  if (!config.has_temperature()) return;
   for (const Material& material : config.materials) {
     const Item table = root.child("materials").child(material.name);
     if (std::ranges::all_of(material.thermal_expansion, &Function::is_zero) || table.has("reference_temperature"))
@@ -135,18 +136,74 @@ void check_reference_temperature(const Config& config, const Item& root, Diagnos
           "with reference_temperature, often the temperature of assembly");
 }
 
+/// Whether a function of heat depends on the time.
+bool changes_in_time(const Config& config) {
+  const Heat& heat = *config.heat;
+  const auto depends = [](const auto& all, auto... members) {
+    return std::ranges::any_of(all, [&](const auto& one) { return ((one.*members).depends_on_time() || ...); });
+  };
+  return depends(heat.films, &HeatFilm::coefficient, &HeatFilm::fluid) || depends(heat.fluxes, &HeatFlux::value) ||
+         depends(heat.radiation, &HeatRadiation::emissivity, &HeatRadiation::ambient) ||
+         depends(heat.sources, &HeatSource::value) || depends(heat.temperatures, &HeatTemperature::value) ||
+         std::ranges::any_of(config.contacts,
+                             [](const Contact& contact) { return contact.conductance.value.depends_on_time(); });
+}
+
+/// What [heat] needs of materials and contacts.
+void check_heat(const Config& config, const Item& root, Diagnostics& errors) {
+  if (!config.heat) return;
+  const Heat& heat = *config.heat;
+  if (config.temperature)
+    errors.add(heat.location, "next to [temperature]", "one of the two: the temperature is given or computed");
+  const Item table = root.child("heat");
+  const bool is_steady = !heat.start && !changes_in_time(config);
+  const std::vector<std::string> bodies = names_of(config.bodies);
+  const auto check_bodies = [&](const auto& all) {
+    for (const auto& one : all) check_name(one.body, "body", bodies, errors);
+  };
+  check_bodies(heat.films);
+  check_bodies(heat.fluxes);
+  check_bodies(heat.radiation);
+  check_bodies(heat.sources);
+  check_bodies(heat.temperatures);
+  for (const Material& material : config.materials) {
+    if (std::ranges::none_of(config.bodies, [&](const Body& body) { return body.material.name == material.name; }))
+      continue;
+    const Item own = root.child("materials").child(material.name);
+    if (material.conductivity.empty())
+      errors.add(own.location, "has no 'conductivity'", "with conductivity, which [heat] needs");
+    if (material.heat_capacity && !material.density)
+      errors.add(own.child("heat_capacity").location, "without 'density'", "with density, mass per volume");
+    if (own.has("units") && own.has("conductivity"))
+      errors.add(own.child("units").location, "heat data are not converted",
+                 "conductivity, heat_capacity and density of materials without 'units'");
+    if (!material.heat_capacity && !is_steady)
+      errors.add(own.location, "has no 'heat_capacity'",
+                 "with heat_capacity and density, or heat.start = \"steady\" and nothing that changes in time");
+  }
+  if (!is_steady && !heat.time_unit)
+    errors.add(table.location, "'time_unit' is missing: how many units of time of the heat data one unit of t is",
+               "3600 if t is in hours and the data are per second, 1 if both are the same");
+  for (const Contact& contact : config.contacts)
+    if (contact.type == ContactType::unilateral && contact.conductance.kind == Conductance::Kind::not_given)
+      errors.add(contact.location, "has no 'conductance'",
+                 "a number or a function, \"perfect\" or \"insulated\": what is perfect where closed and insulated "
+                 "where open may have no solution");
+}
+
 /// Axes of a material without any are a mistake somewhere else.
 void check_material_axes(const Config& config, const Item& root, Diagnostics& errors) {
   for (const Body& body : config.bodies) {
     if (!body.material_axes) continue;
     const auto material = std::ranges::find(config.materials, body.material.name, &Material::name);
     if (material == config.materials.end() || material->orthotropic || material->hill ||
-        material->thermal_expansion.size() == 3)
+        material->thermal_expansion.size() == 3 || material->conductivity.size() == 3)
       continue;
     errors.add(
         root.child("bodies").child(body.name).child("material_axes").location,
         fmt::format("the material '{}' is the same in all directions", material->name),
-        fmt::format("with [materials.{0}.orthotropic], [materials.{0}.hill] or three coefficients of thermal_expansion",
+        fmt::format("with [materials.{0}.orthotropic], [materials.{0}.hill] or three coefficients of thermal_expansion "
+                    "or conductivity",
                     material->name));
   }
 }
@@ -220,6 +277,7 @@ void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
   check_temperature(config, root, errors);
   check_reference_temperature(config, root, errors);
   check_material_axes(config, root, errors);
+  check_heat(config, root, errors);
 }
 
 }  // namespace creepcontact::config

@@ -394,6 +394,16 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
                       "temperature at which the thermal strain is zero")
           .otherwise("required with `thermal_expansion` and `[temperature]`")
           .in("temperature"),
+      field<Material>("conductivity", &Material::conductivity, one_or_three(function(T, greater(0))),
+                      "of heat, for `[heat]`; three: along the material axes 1, 2, 3")
+          .in("power/(length temperature)")
+          .otherwise("required with `[heat]`"),
+      field<Material>("heat_capacity", &Material::heat_capacity, function(T, greater(0)), "specific heat, for `[heat]`")
+          .in("energy/(mass temperature)")
+          .otherwise("required with `[heat]` unless the temperature is steady"),
+      field<Material>("density", &Material::density, number(greater(0)), "mass per volume, for `heat_capacity`")
+          .in("mass/volume")
+          .otherwise("required with `heat_capacity`"),
       field<Material>("creep", &Material::creep, tables(mechanism_table(vocabulary.laws)),
                       "creep laws that act together: their rates are added")
           .otherwise("elastic"),

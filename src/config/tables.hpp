@@ -27,6 +27,9 @@ Value<Gasket> gasket_table(const Vocabulary& vocabulary);
 Value<Support> support_table();
 Value<Load> load_table();
 Value<Temperature> temperature_table();
+Value<Heat> heat_table();
+/// A function of place, time and temperature, "perfect" or "insulated".
+Value<Conductance> conductance_value();
 Value<GeneralizedPlaneStrain> generalized_plane_strain_table();
 Value<Contact> contact_table();
 Value<Spring> spring_table(const Vocabulary& vocabulary);

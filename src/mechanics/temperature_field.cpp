@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <limits>
 #include <numeric>
 
 #include "creepcontact/base/checksum.hpp"
@@ -24,6 +26,7 @@ struct TemperatureField::Definition {
     return at(of_mesh.point_coordinates());
   }
   virtual NodeCover cover(const mesh::Mesh& /*mesh*/) const { return {}; }
+  virtual const TemperatureField* on(const mesh::Mesh& /*mesh*/) const { return nullptr; }  // null: it is the same
   virtual std::vector<double> breakpoints(double end) const = 0;
   virtual PlaceOutside outside(const Vector3& /*place*/) const { return {}; }
   std::string text;
@@ -75,6 +78,11 @@ Moment moment(const std::vector<double>& times, double t) {
   return {after - 1, after, (t - times[after - 1]) / (times[after] - times[after - 1])};
 }
 
+/// Weight of a rate at the beginning and at the end of an interval, in the cubic polynomial.
+struct RateWeights {
+  double before = 0, after = 0;
+};
+
 struct Scattered {
   explicit Scattered(ScatteredTemperatures from)
       : given(std::move(from)),
@@ -84,6 +92,13 @@ struct Scattered {
   /// Where among the points a place is.
   Vector3 place(const Vector3& position) const { return given.axis ? given.axis->in_section(position) : position; }
   Moment at(double t) const { return moment(given.times, given.period && t >= 0 ? std::fmod(t, *given.period) : t); }
+  bool is_cubic() const { return !given.rates_after.empty(); }
+  /// Makes the weight of the later value that of the cubic polynomial (Hermite).
+  RateWeights make_cubic(Moment& at) const {
+    const double s = at.weight, h = given.times[at.after] - given.times[at.before];
+    at.weight = s * s * (3 - 2 * s);
+    return {h * s * (1 - s) * (1 - s), -h * s * s * (1 - s)};
+  }
 
   ScatteredTemperatures given;
   ScatteredInterpolation interpolation;
@@ -116,20 +131,32 @@ class ScatteredAtPositions final : public TemperatureAtPositions {
       : field_(std::move(field)), weights_(std::move(weights)) {}
 
   void evaluate(double t, std::span<double> values, TemperatureMemo& memo) const override {
-    const Moment at = field_->at(t);
-    interpolate(at.before, memo.before);
-    if (at.weight > 0) interpolate(at.after, memo.after);
+    Moment at = field_->at(t);
+    const ScatteredTemperatures& given = field_->given;
+    interpolate(at.before, given.rates_after, memo.before);
+    if (at.weight > 0) interpolate(at.after, given.rates_before, memo.after);
+    if (at.weight > 0 && field_->is_cubic()) {
+      const RateWeights of_rates = field_->make_cubic(at);
+      for (std::size_t p = 0; p < values.size(); ++p)
+        values[p] = (1 - at.weight) * memo.before.values[p] + at.weight * memo.after.values[p] +
+                    of_rates.before * memo.before.rates[p] + of_rates.after * memo.after.rates[p];
+      return;
+    }
     for (std::size_t p = 0; p < values.size(); ++p)
       values[p] = at.weight > 0 ? (1 - at.weight) * memo.before.values[p] + at.weight * memo.after.values[p]
                                 : memo.before.values[p];
   }
 
  private:
-  void interpolate(std::size_t time, TemperatureMemo::AtTime& kept) const {
+  /// @param rates  of all times; empty: none
+  void interpolate(std::size_t time, const std::vector<std::vector<double>>& rates,
+                   TemperatureMemo::AtTime& kept) const {
     if (kept.time == time) return;
     kept.values.resize(weights_.size());
     for (std::size_t p = 0; p < weights_.size(); ++p)
       kept.values[p] = weighted(weights_[p], field_->given.values[time]);
+    kept.rates.resize(rates.empty() ? 0 : weights_.size());
+    for (std::size_t p = 0; p < kept.rates.size(); ++p) kept.rates[p] = weighted(weights_[p], rates[time]);
     kept.time = time;
   }
 
@@ -144,7 +171,8 @@ struct OfPoints final : TemperatureField::Definition {
     Checksum sum;
     for (const Vector3& x : kept.points) sum.add(x.data(), 3);
     sum.add(kept.times.data(), kept.times.size());
-    for (const std::vector<double>& values : kept.values) sum.add(values.data(), values.size());
+    for (const auto* all : {&kept.values, &kept.rates_before, &kept.rates_after})
+      for (const std::vector<double>& values : *all) sum.add(values.data(), values.size());
     text = fmt::format("{} points at {} times, checksum {:016x}", kept.points.size(), kept.times.size(), sum.value());
     if (kept.period) text += fmt::format(", period {}", *kept.period);
     if (kept.node_tolerance) text += ", those of nodes interpolated by elements";
@@ -155,9 +183,14 @@ struct OfPoints final : TemperatureField::Definition {
 
   double value(const Arguments& at) const override {
     const std::vector<PointWeight> weights = field->interpolation.weights(field->place({at.x, at.y, at.z}));
-    const Moment now = field->at(at.t);
-    const double before = weighted(weights, field->given.values[now.before]);
-    return before + now.weight * (weighted(weights, field->given.values[now.after]) - before);
+    Moment now = field->at(at.t);
+    const ScatteredTemperatures& given = field->given;
+    const RateWeights of_rates = field->is_cubic() && now.weight > 0 ? field->make_cubic(now) : RateWeights();
+    const double before = weighted(weights, given.values[now.before]);
+    double value = before + now.weight * (weighted(weights, given.values[now.after]) - before);
+    if (of_rates.before != 0) value += of_rates.before * weighted(weights, given.rates_after[now.before]);
+    if (of_rates.after != 0) value += of_rates.after * weighted(weights, given.rates_before[now.after]);
+    return value;
   }
   std::unique_ptr<const TemperatureAtPositions> at(std::span<const Vector3> positions) const override {
     return std::make_unique<ScatteredAtPositions>(field, positions);
@@ -180,6 +213,10 @@ struct OfPoints final : TemperatureField::Definition {
   std::vector<double> breakpoints(double end) const override {
     std::vector<double> result;
     if (!time) return result;
+    if (field->is_cubic()) {
+      std::ranges::copy_if(field->given.kinks, std::back_inserter(result), [=](double t) { return t <= end; });
+      return result;
+    }
     for (const double t : field->times.breakpoints(end))
       if (t <= end) result.push_back(t);
     return result;
@@ -194,6 +231,78 @@ struct OfPoints final : TemperatureField::Definition {
   std::shared_ptr<const Scattered> field;
 };
 
+/// Positions on several bodies, each evaluated by the field of one of them.
+class OnBodiesAtPositions final : public TemperatureAtPositions {
+ public:
+  struct Part {
+    std::vector<std::size_t> places;  ///< among the positions
+    std::unique_ptr<const TemperatureAtPositions> field;
+  };
+  explicit OnBodiesAtPositions(std::vector<Part> parts) : parts_(std::move(parts)) {}
+
+  void evaluate(double t, std::span<double> values, TemperatureMemo& /*memo*/) const override {
+    for (const Part& part : parts_) {
+      TemperatureMemo memo;
+      std::vector<double> own(part.places.size());
+      part.field->evaluate(t, own, memo);
+      for (std::size_t i = 0; i < own.size(); ++i) values[part.places[i]] = own[i];
+    }
+  }
+
+ private:
+  std::vector<Part> parts_;
+};
+
+struct OfBodies final : TemperatureField::Definition {
+  explicit OfBodies(std::vector<TemperatureField::OnBody> given) : bodies(std::move(given)) {
+    time = false;
+    for (const TemperatureField::OnBody& body : bodies) {
+      trees.emplace_back(body.nodes);
+      time = time || body.field->depends_on_time();
+      text += (text.empty() ? "" : "; ") + body.field->text();
+    }
+  }
+
+  const TemperatureField* on(const mesh::Mesh& mesh) const override {
+    for (const TemperatureField::OnBody& body : bodies)
+      if (body.nodes.size() == mesh.n_cell_nodes() &&
+          std::equal(body.nodes.begin(), body.nodes.end(), mesh.nodes.begin()))
+        return body.field.get();
+    return nullptr;
+  }
+  std::size_t nearest(const Vector3& position) const {
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t b = 0; b < trees.size(); ++b)
+      if (const double distance = trees[b].nearest(position, 1).front().distance; distance < least) {
+        least = distance;
+        best = b;
+      }
+    return best;
+  }
+  double value(const Arguments& at) const override { return (*bodies[nearest({at.x, at.y, at.z})].field)(at); }
+  std::unique_ptr<const TemperatureAtPositions> at(std::span<const Vector3> positions) const override {
+    std::vector<OnBodiesAtPositions::Part> parts(bodies.size());
+    std::vector<std::vector<Vector3>> own(bodies.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const std::size_t b = nearest(positions[i]);
+      parts[b].places.push_back(i);
+      own[b].push_back(positions[i]);
+    }
+    for (std::size_t b = 0; b < bodies.size(); ++b) parts[b].field = bodies[b].field->at(own[b]);
+    return std::make_unique<OnBodiesAtPositions>(std::move(parts));
+  }
+  std::unique_ptr<const TemperatureAtPositions> at_points(const Discretization& of_mesh,
+                                                          const mesh::Mesh& mesh) const override {
+    const TemperatureField* own = on(mesh);
+    return own != nullptr ? own->at_points(of_mesh, mesh) : at(of_mesh.point_coordinates());
+  }
+  std::vector<double> breakpoints(double end) const override { return bodies.front().field->breakpoints(end); }
+
+  std::vector<TemperatureField::OnBody> bodies;
+  std::vector<mesh::PointTree> trees;
+};
+
 }  // namespace
 
 Vector3 RevolutionAxis::in_section(const Vector3& position) const {
@@ -206,6 +315,13 @@ TemperatureField::TemperatureField(Function value) : definition_(std::make_share
 TemperatureField::TemperatureField(ScatteredTemperatures given)
     : definition_(std::make_shared<OfPoints>(std::move(given))) {}
 
+TemperatureField::TemperatureField(std::vector<OnBody> bodies)
+    : definition_(std::make_shared<OfBodies>(std::move(bodies))) {}
+
+TemperatureField TemperatureField::on(const mesh::Mesh& mesh) const {
+  const TemperatureField* own = definition_->on(mesh);
+  return own != nullptr ? *own : *this;
+}
 double TemperatureField::operator()(const Arguments& at) const {
   return definition_->value(at);
 }

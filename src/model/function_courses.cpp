@@ -32,7 +32,7 @@ bool FunctionCourses::depends_on_place() const {
 }
 
 bool FunctionCourses::needs_point_temperatures() const {
-  return function_.value.depends_on_temperature() && temperature_ && !config_.temperature->files.empty();
+  return function_.value.depends_on_temperature() && temperature_ && !config_.has_temperature_function();
 }
 
 std::vector<Level> FunctionCourses::levels(const Place& place) const {
@@ -51,7 +51,7 @@ std::vector<Level> FunctionCourses::levels(const Place& place) const {
 Course FunctionCourses::temperature(const Place& place) const {
   const double reference = bodies_[place.body].material().reference_temperature;
   if (!temperature_) return [reference](double) { return reference; };
-  if (config_.temperature->files.empty()) {
+  if (config_.has_temperature_function()) {
     const Arguments at = arguments(place, {});
     return [at, value = config_.temperature->value](double t) {
       Arguments now = at;
@@ -60,7 +60,8 @@ Course FunctionCourses::temperature(const Place& place) const {
     };
   }
   // Weights of the points around the place are found once, not at each time.
-  const std::shared_ptr<const mechanics::TemperatureAtPositions> field = temperature_->at({&place.position, 1});
+  const std::shared_ptr<const mechanics::TemperatureAtPositions> field =
+      temperature_->on(bodies_[place.body].mesh()).at({&place.position, 1});
   return [field, memo = std::make_shared<mechanics::TemperatureMemo>()](double t) {
     double value = 0;
     field->evaluate(t, {&value, 1}, *memo);

@@ -33,6 +33,7 @@ class FunctionSearch {
         temperature_(temperature),
         functions_(config::functions(config)),
         key_places_(config, bodies) {
+    std::erase_if(functions_, acts_by_temperature_alone);
     for (const config::ConfiguredFunction& function : functions_) {
       const FunctionCourses courses(function, config, bodies, temperature);
       n_of_place_ += courses.changes_in_time() && courses.depends_on_place() ? 1 : 0;
@@ -189,13 +190,17 @@ class FunctionSearch {
 
   /// The field knows its times.
   void add_temperature_of_points() {
-    if (!temperature_ || config_.temperature->files.empty() || !temperature_->depends_on_time()) return;
-    const config::ConfiguredFunction none{"temperature.file", {}, {}};
+    if (!temperature_ || config_.has_temperature_function() || !temperature_->depends_on_time()) return;
+    const config::ConfiguredFunction none{config_.heat ? "heat" : "temperature.file", {}, {}};
     const FunctionCourses courses(none, config_, bodies_, temperature_);
     const std::shared_ptr<const Places> places = key_places_.of(none.key);
     SearchedFunction result{none.key, {}, {}, {}};
     for (const std::size_t i : spread(*places, point_temperature_places))
-      result.courses.push_back(courses.temperature((*places)[i]));
+      // What is computed is smooth between its kinks, and turns where nothing else does.
+      if (config_.heat && keeps_extremes())
+        add(courses.temperature((*places)[i]), {}, result);
+      else
+        result.courses.push_back(courses.temperature((*places)[i]));
     found_.push_back(std::move(result));
   }
 
@@ -262,7 +267,7 @@ class FunctionSearch {
   const config::Config& config_;
   const Bodies& bodies_;
   const std::optional<mechanics::TemperatureField>& temperature_;
-  const std::vector<config::ConfiguredFunction> functions_;
+  std::vector<config::ConfiguredFunction> functions_;
   KeyPlaces key_places_;
   int n_of_place_ = 0;
   std::set<std::tuple<std::string, const Places*, bool>> searched_;

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "computed_temperature.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/model/temperature.hpp"
@@ -116,6 +117,10 @@ Model build_model(const config::Config& config) {
   if (config.temperature)
     errors.collect(config.temperature->location, [&] { temperature = temperature_field(*config.temperature, whole); });
   const ModelLinks links = make_links(config, whole, meshes, errors);
+  errors.raise();
+  if (config.heat)
+    errors.collect(config.heat->location,
+                   [&] { temperature = computed_temperature(config, whole, meshes, shared.value(), links); });
   errors.raise();
   std::map<std::string, material::Material> materials;
   for (const config::Material& material : config.materials)

@@ -315,6 +315,7 @@ contact::Pair make_pair(const config::Contact& contact, const config::Config& co
   pair.gap = contact.gap;
   if (contact.preload) pair.preload = {contact.preload->force, contact.preload->time};
   pair.geometric_gap = contact.geometric_gap;
+  const auto here = temperature ? std::optional(temperature->on(*surfaces[slave].mesh)) : std::nullopt;
   std::vector<Vector3> positions;
   for (const contact::MultiplierNode& node : pair.coupling.nodes)
     positions.push_back(surfaces[slave].mesh->nodes[node.node]);
@@ -323,10 +324,10 @@ contact::Pair make_pair(const config::Contact& contact, const config::Config& co
     if (has_room_for(*kind, contact, pair.coupling))
       pair.coupling.geometric_gap -= pair.coupling.on_rows(
           kind->law.thickness() * Eigen::Map<const Eigen::VectorXd>(pair.coupling.area.data(), std::ssize(positions)));
-    pair.gasket = std::make_shared<const contact::Gasket>(kind, temperature, positions);
+    pair.gasket = std::make_shared<const contact::Gasket>(kind, here, positions);
   }
   if (pair.coupling.has_friction()) {
-    pair.friction = {contact.friction, temperature, std::move(positions)};
+    pair.friction = {contact.friction, here, std::move(positions)};
     pair.friction.at(0);  // an error here names the contact's place in the configuration
   }
   return pair;

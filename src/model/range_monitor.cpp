@@ -83,7 +83,8 @@ RangeMonitor::RangeMonitor(const config::Config& config) {
     }
   // A temperature from a file may change; the field itself will tell.
   changes_in_time_ =
-      config.temperature && (!config.temperature->files.empty() || config.temperature->value.depends_on_time());
+      config.heat ||
+      (config.temperature && (!config.temperature->files.empty() || config.temperature->value.depends_on_time()));
 }
 
 void RangeMonitor::observe(double t, const std::vector<mechanics::Body>& bodies, const creep::Equilibrium& at,

@@ -132,21 +132,29 @@ void SharedNodes::check(const config::Config& config, ErrorCollector& errors) co
                     name(pair.first), name(pair.second), plural(n)));
 }
 
-std::vector<contact::Pair> SharedNodes::ties(const config::Config& config, const Bodies& bodies) const {
-  std::map<BodyPair, std::vector<contact::NodeTie>> ties;
+std::vector<SharedNodes::Joined> SharedNodes::joined() const {
+  std::vector<Joined> result;
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    DisjointSets groups(bodies.size());
-    const auto node_of = [&](std::size_t body) {
-      const auto& owners = shared_.nodes[i].owners;
-      return std::find_if(owners.begin(), owners.end(), [&](const auto& owner) { return owner.body == body; })->node;
+    DisjointSets groups(n_bodies(shared_));
+    const auto of = [&](std::size_t body) {
+      return *std::ranges::find(shared_.nodes[i].owners, body, &mesh::SharedNode::Owner::body);
     };
     for (const Link& link : links_[i])
-      // Nodes that follow others by cyclic symmetry are tied where those are.
-      if (!link.covered && groups.join(link.first, link.second) &&
-          !(bodies[link.first].constraints().is_turned(node_of(link.first)) &&
-            bodies[link.second].constraints().is_turned(node_of(link.second))))
-        ties[{link.first, link.second}].push_back({node_of(link.first), node_of(link.second), link.area});
+      if (!link.covered && groups.join(link.first, link.second))
+        result.push_back({of(link.first), of(link.second), link.area});
   }
+  return result;
+}
+
+std::vector<contact::Pair> SharedNodes::ties(const config::Config& config, const Bodies& bodies) const {
+  std::map<BodyPair, std::vector<contact::NodeTie>> ties;
+  const auto is_turned = [&](const mesh::SharedNode::Owner& owner) {
+    return bodies[owner.body].constraints().is_turned(owner.node);
+  };
+  for (const Joined& both : joined())
+    // Nodes that follow others by cyclic symmetry are tied where those are.
+    if (!(is_turned(both.first) && is_turned(both.second)))
+      ties[{both.first.body, both.second.body}].push_back({both.first.node, both.second.node, both.area});
   std::vector<contact::Pair> pairs;
   for (const auto& [pair_of, nodes] : ties) {
     const mechanics::Body &slave = bodies[pair_of.first], &master = bodies[pair_of.second];

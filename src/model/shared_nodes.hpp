@@ -25,6 +25,12 @@ class SharedNodes {
   /// Finds bodies that would come apart: those that share faces whose nodes no contact covers, unless
   /// mesh.share_nodes = "tie", and those that share nodes along an edge or at a point only.
   void check(const config::Config& config, ErrorCollector& errors) const;
+  /// Nodes that no contact keeps apart, as ties() joins them.
+  struct Joined {
+    mesh::SharedNode::Owner first, second;
+    double area = 0;
+  };
+  std::vector<Joined> joined() const;
   /// Pairs without surfaces that tie what no contact covers. Every node's bodies are joined in a chain, so that no tie
   /// depends on others. @throws ModelError if supports move tied nodes apart
   std::vector<contact::Pair> ties(const config::Config& config, const Bodies& bodies) const;

@@ -174,6 +174,9 @@ struct Material {
   std::optional<Hill> hill;                      ///< of all creep laws
   std::vector<Function> thermal_expansion{0.0};  ///< secant, of T: one, or three along the material axes
   std::optional<double> reference_temperature;   ///< of zero thermal strain; not given: 0, where nothing depends on T
+  std::vector<Function> conductivity;            ///< of heat, of T: one, or three along the material axes; empty: none
+  std::optional<Function> heat_capacity;         ///< per mass, of T
+  std::optional<double> density;                 ///< mass per volume
   std::vector<CreepMechanism> creep;
   std::optional<Plasticity> plasticity;
   std::optional<Function> yield_strength;  ///< of T: what the stress is compared with
@@ -252,6 +255,50 @@ struct Temperature {
   Location location;
 };
 
+/// What flows through a surface in [heat]; units are those of the material data.
+struct HeatFilm {
+  Reference on, body;
+  Function coefficient;  ///< heat per area, degree and time
+  Function fluid;        ///< temperature
+};
+struct HeatFlux {
+  Reference on, body;
+  Function value;  ///< into the body
+};
+struct HeatRadiation {
+  Reference on, body;
+  Function emissivity, ambient;
+};
+struct HeatSource {
+  Reference body;
+  Function value;  ///< per volume
+};
+struct HeatTemperature {
+  Reference on, body;
+  Function value;
+};
+
+/// [heat]: the temperature is computed
+struct Heat {
+  std::optional<Function> start;    ///< temperature at t = 0; nullopt: the steady one
+  std::optional<double> time_unit;  ///< of t, in the unit of time of the data
+  std::vector<HeatFilm> films;
+  std::vector<HeatFlux> fluxes;
+  std::vector<HeatTemperature> temperatures;
+  std::vector<HeatRadiation> radiation;
+  std::vector<HeatSource> sources;
+  std::optional<double> stefan_boltzmann, absolute_zero;
+  double tolerance = 1e-4;  ///< of temperatures, relative to their range
+  Location location;
+};
+
+/// How a contact conducts heat.
+struct Conductance {
+  enum class Kind { not_given, function, perfect, insulated };
+  Kind kind = Kind::not_given;
+  Function value = 0.0;  ///< per area and degree
+};
+
 using settings::Acceleration;
 using settings::ContactMethod;
 using settings::ContactType;
@@ -313,6 +360,7 @@ struct Contact {
   std::optional<Preload> preload;
   Reference gasket;         ///< between the surfaces
   Function friction = 0.0;  ///< coefficient of friction, of x, y, z, t, T
+  Conductance conductance;  ///< of heat; used with [heat]
   Location location;
 };
 
@@ -469,6 +517,7 @@ struct Config {
   std::vector<Load> loads;
   GeneralizedPlaneStrain generalized_plane_strain;
   std::optional<Temperature> temperature;
+  std::optional<Heat> heat;
   std::vector<Gasket> gaskets;
   std::vector<Contact> contacts;
   std::vector<Spring> springs;
@@ -484,6 +533,10 @@ struct Config {
 
   /// @throws std::out_of_range if the name is unknown (reading has checked those that bodies refer to)
   const Material& material(const std::string& name) const;
+  /// Whether a temperature is given or computed.
+  bool has_temperature() const { return temperature.has_value() || heat.has_value(); }
+  /// Whether it is a function of the place and the time.
+  bool has_temperature_function() const { return temperature && temperature->files.empty(); }
 };
 
 }  // namespace creepcontact::config

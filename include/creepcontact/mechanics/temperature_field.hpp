@@ -22,11 +22,16 @@ struct RevolutionAxis {
   Vector3 in_section(const Vector3& position) const;
 };
 
-/// Temperatures at scattered points; linear between the times, constant before the first and after the last.
+/// Temperatures at scattered points; constant before the first and after the last time, linear in between unless rates
+/// are given.
 struct ScatteredTemperatures {
   std::vector<Vector3> points;              ///< no two equal
   std::vector<double> times;                ///< increasing; one: steady
   std::vector<std::vector<double>> values;  ///< [time][point]
+  /// Given: between two times the cubic polynomial with the values and these rates at both, which may differ before and
+  /// after a time. Then the field is smooth but for the kinks, some of the times.
+  std::vector<std::vector<double>> rates_before = {}, rates_after = {};
+  std::vector<double> kinks = {};
   /// The value at t is that at t modulo the period. Times then lie in [0, period], the first at 0
   /// (Function::period_error); where the values at both ends differ, there is a jump at each period.
   std::optional<double> period = {};
@@ -54,6 +59,7 @@ struct TemperatureMemo {
   struct AtTime {
     std::optional<std::size_t> time;  ///< index of the tabulated time; nullopt: none yet
     std::vector<double> values;       ///< one per position
+    std::vector<double> rates;        ///< likewise, of fields that have them
   };
   AtTime before, after;
 };
@@ -73,6 +79,12 @@ class TemperatureField {
   TemperatureField(Function value);  // NOLINT(google-explicit-constructor): a function is a field
   /// Interpolated between the points (ScatteredInterpolation).
   explicit TemperatureField(ScatteredTemperatures given);
+  /// One field per body, which may jump between them. At other places that of the body with the nearest node counts.
+  struct OnBody {
+    std::vector<Vector3> nodes;  ///< of its mesh, by which it is known
+    std::shared_ptr<const TemperatureField> field;
+  };
+  explicit TemperatureField(std::vector<OnBody> bodies);
 
   /// Value at one position and time.
   double operator()(const Arguments& at) const;
@@ -82,6 +94,8 @@ class TemperatureField {
   /// is nodal on the mesh. @param of_mesh  the body, or the part of it that a process has; its nodes are those of the
   /// mesh
   std::unique_ptr<const TemperatureAtPositions> at_points(const Discretization& of_mesh, const mesh::Mesh& mesh) const;
+  /// The field on a body: what differs from it on others is left out.
+  TemperatureField on(const mesh::Mesh& mesh) const;
   /// How many nodes of the mesh are points of the field; zeros for a function, and where nodes are not matched.
   NodeCover cover(const mesh::Mesh& mesh) const;
 

@@ -39,9 +39,10 @@ struct AndersonIteration::Kinsol {
     void* const kinsol = memory.get();
     require_success(KINSetErrHandlerFn(kinsol, ignore_message, nullptr), "KINSetErrHandlerFn");
     require_success(KINSetUserData(kinsol, this), "KINSetUserData");
-    require_success(KINSetNumMaxIters(kinsol, std::numeric_limits<int>::max()), "KINSetNumMaxIters");  // the step ends it
+    require_success(KINSetNumMaxIters(kinsol, std::numeric_limits<int>::max()),
+                    "KINSetNumMaxIters");  // the step ends it
     require_success(KINSetMAA(kinsol, static_cast<long>(std::min<double>(depth, team.sum(static_cast<double>(size))))),
-          "KINSetMAA");
+                    "KINSetMAA");
     // Residuals of proportional states are almost parallel; with one orthogonalisation the acceleration begins again so
     // often that it reaches half as far.
     require_success(KINSetOrthAA(kinsol, KIN_ORTH_CGS2), "KINSetOrthAA");

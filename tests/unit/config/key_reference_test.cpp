@@ -51,6 +51,7 @@ TEST(KeySections, TablesAsInTheFile) {
                            "[[loads]]",
                            "[generalized_plane_strain]",
                            "[temperature]",
+                           "[heat]",
                            "[gaskets.<name>]",
                            "[[contacts]]",
                            "[[springs]]",
@@ -122,12 +123,12 @@ TEST(KeySelection, OneTable) {
 }
 
 TEST(KeySelection, WordInNamesOrValuesElseInDescriptions) {
-  EXPECT_EQ(selected("Tolerance"), (Lines{"loads[].tolerance", "contact_solver.tolerance", "time.tolerance",
-                                          "time.inner_tolerance", "time.jump_tolerance"}));
+  EXPECT_EQ(selected("Tolerance"), (Lines{"loads[].tolerance", "heat.tolerance", "contact_solver.tolerance",
+                                          "time.tolerance", "time.inner_tolerance", "time.jump_tolerance"}));
   EXPECT_EQ(selected("hereditary"), (Lines{"materials.<name>.creep[].law", "materials.<name>.creep[].compliances",
                                            "materials.<name>.creep[].times"}));
   EXPECT_EQ(selected("active_set"), Lines{"contact_solver.method"});
-  EXPECT_EQ(selected("mass per volume"), Lines{"loads[].rotation.density"});
+  EXPECT_EQ(selected("mass per volume"), (Lines{"materials.<name>.density", "loads[].rotation.density"}));
 }
 
 TEST(KeySelection, NothingFoundNamesTheNearest) {

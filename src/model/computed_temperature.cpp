@@ -1,0 +1,269 @@
+#include "computed_temperature.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "course_events.hpp"
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
+#include "creepcontact/config/configured.hpp"
+#include "creepcontact/heat/history.hpp"
+#include "function_search.hpp"
+
+namespace creepcontact::model {
+namespace {
+
+constexpr double same_node = 1e-9;  // of the size of the model
+constexpr int range_samples = 64;   // of functions in time
+constexpr std::size_t course_places = 5;
+
+/// Errors of an entry of [heat] name its list and place.
+template <typename Work>
+void for_entries(const auto& entries, const char* list, const Work& work) {
+  for (std::size_t i = 0; i < entries.size(); ++i) try {
+      work(entries[i]);
+    } catch (const ModelError& error) {
+      throw ModelError(fmt::format("{}[{}]: {}", list, i, error.what()));
+    }
+}
+
+class HeatProblem {
+ public:
+  HeatProblem(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+              const SharedNodes& shared, const ModelLinks& links)
+      : config_(config), heat_(*config.heat), whole_(whole), meshes_(meshes), links_(links) {
+    all_.time_unit = heat_.time_unit.value_or(1);
+    all_.absolute_zero = heat_.absolute_zero.value_or(0);
+    add_bodies();
+    add_flows();
+    for (const config::Contact& contact : config.contacts) add_contact(contact);
+    for (const SharedNodes::Joined& both : shared.joined())
+      all_.equal.push_back({{both.first.body, both.first.node}, {both.second.body, both.second.node}});
+    for (std::size_t b = 0; b < meshes.size(); ++b)
+      for (const mechanics::NodeLinks::Turned& link : links.of_body[b].turned)
+        all_.equal.push_back({{b, link.node}, {b, link.of}});
+    if (!links.unmatched.empty())
+      throw ModelError(
+          "heat through faces of a sector whose meshes differ is not possible; mesh the second face as the first one");
+  }
+
+  mechanics::TemperatureField solve() {
+    heat::Conduction problem(std::move(all_));
+    std::vector<double> start = problem.unknowns(heat_.start.value_or(guess()));
+    if (!heat_.start) problem.steady(0, start);
+    const bool is_steady = !heat_.start && !problem.depends_on_time();
+    const double end = is_steady ? 0 : config_.time.end;
+    if (end > 0)
+      for (const config::Body& body : config_.bodies)
+        if (!config_.material(body.material.name).heat_capacity)
+          throw ModelError(fmt::format("the temperature changes in time, and the material '{}' has no heat_capacity",
+                                       body.material.name));
+    const Interval range = range_of_temperatures(problem, start);
+    const double allowed = heat_.tolerance * std::max(range.high - range.low, std::numeric_limits<double>::min());
+    const heat::History history = heat::integrate(problem, start, {end, kinks(end), allowed});
+    tell(problem, history);
+    return field(problem, history);
+  }
+
+ private:
+  std::size_t face_dimension() const { return static_cast<std::size_t>(whole_.section.dimension()) - 1; }
+  std::vector<std::size_t> bodies_on(const config::Reference& on, const config::Reference& body, int dimension) const {
+    return model::bodies_on(config_, whole_, meshes_, on.name, body, dimension);
+  }
+
+  void add_bodies() {
+    for (std::size_t b = 0; b < meshes_.size(); ++b) {
+      const config::Material& material = config_.material(config_.bodies[b].material.name);
+      Function capacity = 0.0;
+      if (material.heat_capacity)
+        capacity = Function::composed(
+            fmt::format("{:.17g} times {}", *material.density, material.heat_capacity->text()),
+            {*material.heat_capacity},
+            [density = *material.density](const std::vector<double>& values) { return density * values[0]; });
+      all_.bodies.push_back({config_.bodies[b].name, &meshes_[b], material.conductivity,
+                             material.conductivity.size() == 3 ? material_axes(config_.bodies[b]) : std::nullopt,
+                             std::move(capacity)});
+    }
+  }
+
+  void add_flow(heat::SurfaceFlow::Kind kind, const config::Reference& on, const config::Reference& body,
+                const Function& factor, const Function& beyond) {
+    for (const std::size_t b : bodies_on(on, body, static_cast<int>(face_dimension())))
+      all_.flows.push_back({kind, b, mesh::boundary_faces(meshes_[b], on.name), factor, beyond});
+  }
+
+  void add_flows() {
+    using Kind = heat::SurfaceFlow::Kind;
+    for_entries(heat_.films, "films", [&](const config::HeatFilm& film) {
+      add_flow(Kind::film, film.on, film.body, film.coefficient, film.fluid);
+    });
+    for_entries(heat_.fluxes, "fluxes",
+                [&](const config::HeatFlux& flux) { add_flow(Kind::flux, flux.on, flux.body, flux.value, 0.0); });
+    for_entries(heat_.radiation, "radiation", [&](const config::HeatRadiation& radiation) {
+      const double sigma = *heat_.stefan_boltzmann;
+      add_flow(Kind::radiation, radiation.on, radiation.body,
+               Function::composed(fmt::format("{:.17g} times {}", sigma, radiation.emissivity.text()),
+                                  {radiation.emissivity},
+                                  [sigma](const std::vector<double>& values) { return sigma * values[0]; }),
+               radiation.ambient);
+    });
+    for_entries(heat_.sources, "sources", [&](const config::HeatSource& source) {
+      all_.sources.push_back({body_index(config_, source.body.name), source.value});
+    });
+    for_entries(heat_.temperatures, "temperatures", [&](const config::HeatTemperature& given) {
+      for (const std::size_t b : bodies_on(given.on, given.body, -1))
+        all_.given.push_back({b, mesh::group_nodes(meshes_[b], given.on.name), given.value});
+    });
+  }
+
+  void add_contact(const config::Contact& contact) {
+    using Kind = config::Conductance::Kind;
+    if (contact.conductance.kind == Kind::insulated) return;
+    const auto owners = [&](std::size_t side) {
+      return bodies_on(contact.between[side], {}, static_cast<int>(face_dimension()));
+    };
+    const std::array<std::size_t, 2> bodies = contact_bodies(contact, config_, {owners(0), owners(1)});
+    heat::Interface made{
+        contact.name, bodies[0], bodies[1], {}, contact.conductance.value, contact.conductance.kind != Kind::function};
+    made.faces = contact::facing_faces(
+        meshes_[bodies[0]], mesh::boundary_faces(meshes_[bodies[0]], contact.between[0].name), meshes_[bodies[1]],
+        mesh::boundary_faces(meshes_[bodies[1]], contact.between[1].name), sector(config_));
+    all_.interfaces.push_back(std::move(made));
+  }
+
+  /// Some temperature of the problem, from which a steady one is sought.
+  double guess() const {
+    const auto at_start = [](const Function& value) { return value({}); };
+    if (!heat_.films.empty()) return at_start(heat_.films.front().fluid);
+    if (!heat_.temperatures.empty()) return at_start(heat_.temperatures.front().value);
+    return heat_.radiation.empty() ? 0 : at_start(heat_.radiation.front().ambient);
+  }
+
+  std::vector<Vector3> some_places() const {
+    std::vector<Vector3> result;
+    for (std::size_t i = 0; i < course_places; ++i)
+      result.push_back(whole_.nodes[i * (whole_.nodes.size() - 1) / (course_places - 1)]);
+    return result;
+  }
+
+  /// The range of all temperatures that are given, and of those at the start.
+  Interval range_of_temperatures(heat::Conduction& problem, const std::vector<double>& start) const {
+    const auto [low, high] = std::ranges::minmax(start);
+    Interval range{low, high};
+    const auto add = [&](double value) {
+      if (std::isfinite(value)) range = {std::min(range.low, value), std::max(range.high, value)};
+    };
+    std::vector<const Function*> given;
+    for (const auto& one : heat_.films) given.push_back(&one.fluid);
+    for (const auto& one : heat_.radiation) given.push_back(&one.ambient);
+    for (const auto& one : heat_.temperatures) given.push_back(&one.value);
+    for (const Function* function : given)
+      for (const Vector3& x : some_places()) {
+        for (int k = 0; k <= range_samples; ++k)
+          add((*function)({.x = x[0], .y = x[1], .z = x[2], .t = config_.time.end * k / range_samples}));
+        for (const double t : function->breakpoints(config_.time.end))
+          add((*function)({.x = x[0], .y = x[1], .z = x[2], .t = t}));
+      }
+    if (heat_.fluxes.empty() && heat_.sources.empty()) return range;
+    try {  // heat that is given may lead beyond them
+      std::vector<double> last = start;
+      problem.steady(config_.time.end, last);
+      for (const double value : last) add(value);
+    } catch (const Error&) {  // there is no steady state
+    }
+    return range;
+  }
+
+  std::vector<double> kinks(double end) const {
+    std::vector<double> times = config_.time.breakpoints;
+    for (const config::ConfiguredFunction& function : config::functions(config_)) {
+      if (!acts_by_temperature_alone(function) || !function.value.depends_on_time()) continue;
+      if (function.value.table_range("t")) {
+        std::ranges::copy(function.value.breakpoints(end), std::back_inserter(times));
+        continue;
+      }
+      for (const Vector3& x : some_places()) {
+        const CourseEvents events = find_events(
+            [&](double t) { return function.value({.x = x[0], .y = x[1], .z = x[2], .t = t, .T = guess()}); }, end,
+            config_.time.cycle, {});
+        for (const auto* found : {&events.jumps, &events.kinks}) std::ranges::copy(*found, std::back_inserter(times));
+        if (!function.value.depends_on_position()) break;
+      }
+    }
+    std::ranges::sort(times);
+    std::vector<double> result;
+    for (const double t : times)
+      if (t > 0 && t < end && (result.empty() || t > result.back() * (1 + 1e-11))) result.push_back(t);
+    return result;
+  }
+
+  void tell(const heat::Conduction& problem, const heat::History& history) const {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const std::vector<double>& values : history.values) {
+      const auto [least, most] = std::ranges::minmax(values);
+      low = std::min(low, least);
+      high = std::max(high, most);
+    }
+    if (history.times.size() == 1)
+      return log::info("heat: steady temperatures of {} nodes, {:.6g} to {:.6g}", problem.size(), low, high);
+    const double bytes = 2.0 * static_cast<double>(problem.size() * history.times.size() * sizeof(double));
+    log::info(
+        "heat: temperatures of {} nodes, {:.6g} to {:.6g}, in {} steps with {} factorisations; {} times are kept "
+        "({:.3g} MB)",
+        problem.size(), low, high, history.n_steps, problem.n_factorizations(), history.times.size(), bytes / 1e6);
+  }
+
+  mechanics::TemperatureField field(const heat::Conduction& problem, const heat::History& history) const {
+    Eigen::AlignedBox3d box;
+    for (const Vector3& x : whole_.nodes) box.extend(x);
+    const auto on_body = [&](std::size_t b, const std::vector<std::vector<double>>& all) {
+      std::vector<std::vector<double>> result;
+      for (const std::vector<double>& values : all) result.push_back(problem.at_nodes(b, values));
+      return result;
+    };
+    std::vector<mechanics::TemperatureField::OnBody> result;
+    for (std::size_t b = 0; b < meshes_.size(); ++b) {
+      const auto end = meshes_[b].nodes.begin() + static_cast<std::ptrdiff_t>(meshes_[b].n_cell_nodes());
+      mechanics::ScatteredTemperatures given;
+      given.points.assign(meshes_[b].nodes.begin(), end);
+      given.times = history.times;
+      given.values = on_body(b, history.values);
+      if (history.times.size() > 1) {
+        given.rates_before = on_body(b, history.rates_before);
+        given.rates_after = on_body(b, history.rates_after);
+        given.kinks = history.kinks;
+      }
+      given.node_tolerance = same_node * box.diagonal().norm();
+      std::vector<Vector3> nodes = given.points;
+      result.push_back({std::move(nodes), std::make_shared<const mechanics::TemperatureField>(std::move(given))});
+    }
+    return mechanics::TemperatureField(std::move(result));
+  }
+
+  const config::Config& config_;
+  const config::Heat& heat_;
+  const mesh::Mesh& whole_;
+  const BodyMeshes& meshes_;
+  const ModelLinks& links_;
+  heat::Definition all_;
+};
+
+}  // namespace
+
+bool acts_by_temperature_alone(const config::ConfiguredFunction& function) {
+  return function.key.starts_with("heat.") || function.key.ends_with(".conductance") ||
+         function.key.ends_with(".heat_capacity") || function.key.find(".conductivity") != std::string::npos;
+}
+
+mechanics::TemperatureField computed_temperature(const config::Config& config, const mesh::Mesh& whole,
+                                                 const BodyMeshes& meshes, const SharedNodes& shared,
+                                                 const ModelLinks& links) {
+  return HeatProblem(config, whole, meshes, shared, links).solve();
+}
+
+}  // namespace creepcontact::model
