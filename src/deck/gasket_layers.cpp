@@ -4,9 +4,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
-#include <ranges>
 #include <set>
 
 #include "element_faces.hpp"
@@ -193,7 +193,7 @@ class GasketTaker {
   }
 
   void remove_cards() {
-    for (const auto& [number, line] : std::views::reverse(consumed_)) {  // the last ones first: places stay as they are
+    for (const auto& [number, line] : consumed_) {  // the last ones first: places stay as they are
       const auto card = deck_.cards.begin() + static_cast<std::ptrdiff_t>(number);
       card->data.erase(card->data.begin() + static_cast<std::ptrdiff_t>(line));
       if (card->data.empty()) deck_.cards.erase(card);
@@ -203,8 +203,9 @@ class GasketTaker {
   Deck& deck_;
   std::vector<Note>& impossible_;
   Resolver resolver_;
-  std::map<Numbers, ElementFace> faces_;                    // of bodies, by their sorted corners
-  std::set<std::pair<std::size_t, std::size_t>> consumed_;  // cards and their lines that join gaskets with bodies
+  std::map<Numbers, ElementFace> faces_;  // of bodies, by their sorted corners
+  /// Cards and their lines that join gaskets with bodies, the last one first.
+  std::set<std::pair<std::size_t, std::size_t>, std::greater<>> consumed_;
 };
 
 }  // namespace

@@ -169,7 +169,7 @@ class FlowFace final : public Patch {
       : flow_(flow), absolute_zero_(absolute_zero), table_(Table::of(face.type)) {
     const Eigen::Matrix3Xd x = coordinates(*body.mesh, face.nodes);
     for (std::size_t q = 0; q < table_.shapes.size(); ++q) {
-      places_.push_back(x * table_.shapes[q]);
+      places_.emplace_back(x * table_.shapes[q]);
       areas_.push_back(table_.rule.weights[static_cast<Index>(q)] * body.mesh->section.depth(places_.back()) *
                        fem::area_vector(table_.element, x, table_.gradients[q]).norm());
     }

@@ -318,7 +318,7 @@ TemperatureField::TemperatureField(ScatteredTemperatures given)
 TemperatureField::TemperatureField(std::vector<OnBody> bodies)
     : definition_(std::make_shared<OfBodies>(std::move(bodies))) {}
 
-TemperatureField TemperatureField::on(const mesh::Mesh& mesh) const {
+const TemperatureField& TemperatureField::on(const mesh::Mesh& mesh) const {
   const TemperatureField* own = definition_->on(mesh);
   return own != nullptr ? *own : *this;
 }

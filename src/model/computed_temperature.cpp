@@ -36,7 +36,7 @@ class HeatProblem {
  public:
   HeatProblem(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
               const SharedNodes& shared, const ModelLinks& links)
-      : config_(config), heat_(*config.heat), whole_(whole), meshes_(meshes), links_(links) {
+      : config_(config), heat_(*config.heat), whole_(whole), meshes_(meshes) {
     all_.time_unit = heat_.time_unit.value_or(1);
     all_.absolute_zero = heat_.absolute_zero.value_or(0);
     add_bodies();
@@ -223,6 +223,7 @@ class HeatProblem {
     for (const Vector3& x : whole_.nodes) box.extend(x);
     const auto on_body = [&](std::size_t b, const std::vector<std::vector<double>>& all) {
       std::vector<std::vector<double>> result;
+      result.reserve(all.size());
       for (const std::vector<double>& values : all) result.push_back(problem.at_nodes(b, values));
       return result;
     };
@@ -249,7 +250,6 @@ class HeatProblem {
   const config::Heat& heat_;
   const mesh::Mesh& whole_;
   const BodyMeshes& meshes_;
-  const ModelLinks& links_;
   heat::Definition all_;
 };
 

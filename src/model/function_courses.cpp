@@ -60,8 +60,8 @@ Course FunctionCourses::temperature(const Place& place) const {
     };
   }
   // Weights of the points around the place are found once, not at each time.
-  const std::shared_ptr<const mechanics::TemperatureAtPositions> field =
-      temperature_->on(bodies_[place.body].mesh()).at({&place.position, 1});
+  const mechanics::TemperatureField& on_body = temperature_->on(bodies_[place.body].mesh());
+  const std::shared_ptr<const mechanics::TemperatureAtPositions> field = on_body.at({&place.position, 1});
   return [field, memo = std::make_shared<mechanics::TemperatureMemo>()](double t) {
     double value = 0;
     field->evaluate(t, {&value, 1}, *memo);

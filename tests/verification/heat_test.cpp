@@ -82,14 +82,14 @@ TEST(Heat, DrivesStressAndCreepAsTheSameFieldDoes) {
 
 /// A slab that a film heats from one side: the closed form at Bi = 0.5, Fo = 0.5, with t in hours and data per second.
 TEST(Heat, OverTheTimeInHours) {
-  const std::string geo = boxes_geo({{"slab", {0, 0, 0}, {1, 1, 1}, {2, 2, 6}}});
+  const std::string slab = boxes_geo({{"slab", {0, 0, 0}, {1, 1, 1}, {2, 2, 6}}});
   std::string toml =
       "[mesh]\nfile = \"case.geo\"\norder = 2\n" + conducting("slab", 1) +
       "[heat]\nstart = 20\ntime_unit = 3600\nfilms = [{ on = \"slab_z0\", coefficient = 0.5, fluid = 120 }]\n" +
       support("slab_x0", "x") + support("slab_y0", "y") + support("slab_z0", "z");
   toml += fmt::format("[time]\nend = {:.17g}\n", 0.5 / 3600) + temperature("face", 0, "slab") +
           temperature("far", 1, "slab");
-  const Table history = run_case(toml, geo).history;
+  const Table history = run_case(toml, slab).history;
   EXPECT_NEAR(history.at("face", 0.5 / 3600), 20 + 100 * 0.313118, 0.02);
   EXPECT_NEAR(history.at("far", 0.5 / 3600), 20 + 100 * 0.135886, 0.02);
 }

@@ -94,8 +94,8 @@ class TemperatureField {
   /// is nodal on the mesh. @param of_mesh  the body, or the part of it that a process has; its nodes are those of the
   /// mesh
   std::unique_ptr<const TemperatureAtPositions> at_points(const Discretization& of_mesh, const mesh::Mesh& mesh) const;
-  /// The field on a body: what differs from it on others is left out.
-  TemperatureField on(const mesh::Mesh& mesh) const;
+  /// The field on a body: what differs from it on others is left out. It lives as long as this one.
+  const TemperatureField& on(const mesh::Mesh& mesh) const;
   /// How many nodes of the mesh are points of the field; zeros for a function, and where nodes are not matched.
   NodeCover cover(const mesh::Mesh& mesh) const;
 

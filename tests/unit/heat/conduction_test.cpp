@@ -28,7 +28,7 @@ mesh::Section section_of(settings::Analysis analysis) {
   return section;
 }
 
-Function of_T(const std::string& text) {
+Function expression(const std::string& text) {
   return Function::expression(text, {"x", "y", "z", "t", "T"});
 }
 
@@ -94,7 +94,7 @@ TEST(Conduction, OfACylinder) {
 TEST(Conduction, WithConductivityOverTheTemperature) {
   const mesh::Mesh mesh = box_mesh(hex20, {8, 1, 1}, {0.1, 0.01, 0.01});
   Definition all;
-  all.bodies = {{"slab", &mesh, {of_T("50*(1 - 6e-4*T)")}, {}, 0.0}};
+  all.bodies = {{"slab", &mesh, {expression("50*(1 - 6e-4*T)")}, {}, 0.0}};
   all.given = {{0, mesh::group_nodes(mesh, "x0"), 500.0}, {0, mesh::group_nodes(mesh, "x1"), 0.0}};
   Conduction problem(std::move(all));
   const std::vector<double> T = steady(problem, 0);
@@ -111,7 +111,8 @@ TEST(Conduction, AlongMaterialAxes) {
                                {Function(-1.0), Function(1.0), Function(0.0)}};
   Definition all;
   all.bodies = {{"block", &mesh, {4.0, 1.0, 1.0}, axes, 0.0}};
-  for (const char* face : {"x0", "x1", "y0", "y1"}) all.given.push_back({0, mesh::group_nodes(mesh, face), of_T("-x")});
+  for (const char* face : {"x0", "x1", "y0", "y1"})
+    all.given.push_back({0, mesh::group_nodes(mesh, face), expression("-x")});
   Conduction problem(std::move(all));
   const std::vector<double> T = steady(problem, 0);
   EXPECT_NEAR(problem.balance(0, T, std::vector<double>(T.size())).rest(), 0, 1e-12);
