@@ -84,7 +84,7 @@ Course FunctionCourses::at(const Place& place, const Level& level) const {
     now.T = T(t);
     return value(now);
   };
-}
+}  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): std::function frees what it holds
 
 double FunctionCourses::at_temperature(const Place& place, const Level& level, double T) const {
   Arguments at = arguments(place, level);
