@@ -144,7 +144,7 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
         {"INITIAL STRESS", "INITIAL STRAIN INCREASE"});
     add(Kind::impossible, "materials that change from step to step are not known",
         {"CHANGE SOLID SECTION", "CHANGE MATERIAL", "CHANGE PLASTIC"});
-    add(Kind::left_out, "heat conduction is not computed; give the temperature as a field",
+    add(Kind::left_out, "heat conduction is not imported; give the temperature as a field, or [heat] by hand",
         {"CONDUCTIVITY", "SPECIFIC HEAT", "FILM", "RADIATE", "DFLUX", "CFLUX", "FILM PROPERTY", "GAP CONDUCTANCE",
          "GAP HEAT GENERATION", "GAP RADIATION", "LATENT HEAT", "INELASTIC HEAT FRACTION", "JOULE HEAT FRACTION",
          "EMISSIVITY", "DSFLUX", "SFILM", "SRADIATE", "CFILM", "CRADIATE"});

@@ -14,6 +14,7 @@
 #include "creepcontact/config/configured.hpp"
 #include "creepcontact/heat/history.hpp"
 #include "function_search.hpp"
+#include "heat_remarks.hpp"
 
 namespace creepcontact::model {
 namespace {
@@ -63,6 +64,7 @@ class HeatProblem {
         if (!config_.material(body.material.name).heat_capacity)
           throw ModelError(fmt::format("the temperature changes in time, and the material '{}' has no heat_capacity",
                                        body.material.name));
+    if (end > 0) tell_of_heat(heat_, problem, start, end);
     const Interval range = range_of_temperatures(problem, start);
     const double allowed = heat_.tolerance * std::max(range.high - range.low, std::numeric_limits<double>::min());
     const heat::History history = heat::integrate(problem, start, {end, kinks(end), allowed});

@@ -128,6 +128,26 @@ Physical Surface("high_z1") = Surface In BoundingBox {-0.1, -0.1, 1.9, 1.1, 1.1,
   EXPECT_NEAR(history.at("above", 0), 25, 1e-6);
 }
 
+TEST(Heat, AsksAboutUnitsOfTimeAndCoarseElements) {
+  const std::string slab = boxes_geo({{"slab", {0, 0, 0}, {1, 1, 1}, {2, 2, 2}}});
+  const auto warnings = [&](double unit, double coefficient) {
+    std::string all;
+    for (const std::string& one :
+         run_case("[mesh]\nfile = \"case.geo\"\norder = 2\n" + conducting("slab", 1) +
+                      fmt::format("[heat]\nstart = 20\ntime_unit = {}\nfilms = [{{ on = \"slab_z0\", coefficient = {}, "
+                                  "fluid = 120 }}]\n",
+                                  unit, coefficient) +
+                      support("slab_x0", "x") + support("slab_y0", "y") + support("slab_z0", "z") + "[time]\nend = 2\n",
+                  slab)
+             .summary.texts("warnings"))
+      all += one + "\n";
+    return all;
+  };
+  EXPECT_EQ(warnings(1, 0.1), "");
+  EXPECT_TRUE(says(warnings(1e-3, 0.1), {"body 'slab'", "heat through", "heat.time_unit = 0.001"}));
+  EXPECT_TRUE(says(warnings(1, 10), {"body 'slab'", "element Biot number 5", "jumps by 100"}));
+}
+
 TEST(Heat, ResumesExactly) {
   const std::string toml = stack("start = 0\ntime_unit = 1\n" + ends, "conductance = 2",
                                  "[time]\nend = 10\nintegrator = \"log_adams\"\n" + probes, 1e-14);
