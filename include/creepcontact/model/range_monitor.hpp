@@ -27,7 +27,7 @@ class RangeMonitor {
   /// Cost: minimum and maximum of the temperature, if it changes in time and the materials have ranges of T, and the
   /// largest stress, if they have ranges of stress.
   void observe(double t, const std::vector<mechanics::Body>& bodies, const creep::Equilibrium& at, const Team& team);
-  /// The same of the gaskets and springs of contact pairs, of which `at` is the equilibrium.
+  /// Likewise for the gaskets and springs of contact pairs. @param at  their equilibrium
   void observe(const std::vector<contact::Pair>& pairs, const creep::Equilibrium& at);
   /// To be called at the end: warns of ranges of stress that the stress has never come up to.
   void finish() const;
