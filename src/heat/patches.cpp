@@ -38,6 +38,8 @@ struct Table {
       element.shape(xi, shapes.emplace_back(element.n_nodes()));
       element.gradient(xi, gradients.emplace_back(element.n_nodes(), 3));
     }
+    rows.resize(rule.size(), element.n_nodes());
+    for (Index q = 0; q < rule.size(); ++q) rows.row(q) = shapes[static_cast<std::size_t>(q)].transpose();
   }
   static const Table& of(mesh::CellType type) {
     static std::map<mesh::CellType, Table> all;
@@ -48,6 +50,7 @@ struct Table {
   fem::QuadratureRule rule;
   std::vector<Eigen::VectorXd> shapes;
   std::vector<Eigen::MatrixX3d> gradients;
+  Eigen::MatrixXd rows;  ///< the shapes, one row per point
 };
 
 Eigen::Matrix3Xd coordinates(const mesh::Mesh& mesh, std::span<const std::int64_t> nodes) {
@@ -70,66 +73,78 @@ std::vector<int> unknowns(std::span<const std::int64_t> nodes, const std::vector
 class Cell final : public Patch {
  public:
   Cell(const Conductor& body, mesh::CellType type, std::span<const std::int64_t> cell, double time_unit)
-      : body_(body), table_(Table::of(type)), x_(coordinates(*body.mesh, cell)), time_unit_(time_unit) {
-    is_linear_ = !body.capacity.depends_on_temperature();
-    for (const Function& k : body.conductivity) is_linear_ = is_linear_ && !k.depends_on_temperature();
-    if (!is_linear_) return;
-    const Index n = x_.cols();
-    conduction_.setZero(n, n);
-    capacity_.setZero(n, n);
-    for_points(Eigen::VectorXd::Zero(n), [&](double weight, const auto& N, const auto& B, const Matrix3& k, double c) {
-      conduction_.noalias() += weight * B.transpose() * k * B;
-      capacity_.noalias() += weight * c * N * N.transpose();
-    });
+      : body_(body), table_(Table::of(type)), time_unit_(time_unit) {
+    const Eigen::Matrix3Xd x = coordinates(*body.mesh, cell);
+    const mesh::Section& section = body.mesh->section;
+    const Index n_points = table_.rule.size();
+    gradients_.resize(3 * n_points, x.cols());
+    for (Index q = 0; q < n_points; ++q) {
+      const Eigen::MatrixX3d& gradient = table_.gradients[static_cast<std::size_t>(q)];
+      const Matrix3 J = fem::jacobian(table_.element, x, gradient);
+      gradients_.middleRows<3>(3 * q) = J.inverse().transpose() * gradient.transpose();
+      if (section.dimension() == 2) gradients_.row(3 * q + 2).setZero();
+      const Vector3 place = x * table_.shapes[static_cast<std::size_t>(q)];
+      weights_.push_back(table_.rule.weights[q] * std::abs(J.determinant()) * section.depth(place));
+      if (body.axes && body.conductivity.size() == 3) axes_.push_back(body.axes->at(place));
+    }
+    bool is_linear = !body.capacity.depends_on_temperature();
+    for (const Function& k : body.conductivity) is_linear = is_linear && !k.depends_on_temperature();
+    if (!is_linear) return;
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(n_points);
+    add_matrix({.conduction = 1, .capacity = 0}, none, conduction_);
+    add_matrix({.conduction = 0, .capacity = 1}, none, capacity_);
+    gradients_.resize(0, 0);
   }
 
   void evaluate(const Moment& at, const Eigen::VectorXd& T, const Eigen::VectorXd& rate, Eigen::VectorXd& residual,
                 Eigen::MatrixXd* matrix) const override {
-    if (is_linear_) {
+    if (gradients_.size() == 0) {
       residual.noalias() = conduction_ * T + capacity_ * rate;
       if (matrix != nullptr) *matrix = at.conduction * conduction_ + at.capacity * capacity_;
       return;
     }
-    residual.setZero(T.size());
-    if (matrix != nullptr) matrix->setZero(T.size(), T.size());
-    for_points(T, [&](double weight, const auto& N, const auto& B, const Matrix3& k, double c) {
-      const Vector3 flux = k * (B * T);
-      residual.noalias() += weight * (B.transpose() * flux + c * N.dot(rate) * N);
-      if (matrix == nullptr) return;
-      matrix->noalias() += at.conduction * weight * B.transpose() * k * B;
-      matrix->noalias() += at.capacity * weight * c * N * N.transpose();
-    });
+    const Eigen::VectorXd at_points = table_.rows * T;
+    Eigen::VectorXd stored = table_.rows * rate, flux = gradients_ * T;
+    for (Index q = 0; q < stored.size(); ++q) {
+      flux.segment<3>(3 * q) =
+          weights_[static_cast<std::size_t>(q)] * conducted(q, at_points[q], flux.segment<3>(3 * q));
+      stored[q] *= weights_[static_cast<std::size_t>(q)] * capacity(at_points[q]);
+    }
+    residual.noalias() = gradients_.transpose() * flux + table_.rows.transpose() * stored;
+    if (matrix != nullptr) add_matrix(at, at_points, *matrix);
   }
 
  private:
-  template <typename Work>
-  void for_points(const Eigen::VectorXd& T, const Work& work) const {
-    const mesh::Section& section = body_.mesh->section;
-    for (Index q = 0; q < table_.rule.size(); ++q) {
-      const Eigen::VectorXd& N = table_.shapes[static_cast<std::size_t>(q)];
-      const Matrix3 J = fem::jacobian(table_.element, x_, table_.gradients[static_cast<std::size_t>(q)]);
-      Eigen::Matrix3Xd B = J.inverse().transpose() * table_.gradients[static_cast<std::size_t>(q)].transpose();
-      if (section.dimension() == 2) B.row(2).setZero();
-      const Vector3 place = x_ * N;
-      const double weight = table_.rule.weights[q] * std::abs(J.determinant()) * section.depth(place);
-      const Arguments at = arguments(place, 0, N.dot(T));
-      Matrix3 k = body_.conductivity.front()(at) * Matrix3::Identity();
-      if (body_.conductivity.size() == 3) {
-        for (Index axis = 0; axis < 3; ++axis) k(axis, axis) = body_.conductivity[static_cast<std::size_t>(axis)](at);
-        if (body_.axes) {
-          const Matrix3 axes = body_.axes->at(place);
-          k = Matrix3(axes * k * axes.transpose());
-        }
-      }
-      work(weight, N, B, k, body_.capacity(at) / time_unit_);
+  double capacity(double T) const { return body_.capacity({.T = T}) / time_unit_; }
+  /// The conductivity at a point times a gradient.
+  Vector3 conducted(Index point, double T, const Vector3& gradient) const {
+    if (body_.conductivity.size() == 1) return body_.conductivity.front()({.T = T}) * gradient;
+    Vector3 along = axes_.empty() ? gradient : Vector3(axes_[static_cast<std::size_t>(point)].transpose() * gradient);
+    for (Index axis = 0; axis < 3; ++axis) along[axis] *= body_.conductivity[static_cast<std::size_t>(axis)]({.T = T});
+    return axes_.empty() ? along : Vector3(axes_[static_cast<std::size_t>(point)] * along);
+  }
+
+  /// @param T  at the points @param matrix  overwritten
+  void add_matrix(const Moment& at, const Eigen::VectorXd& T, Eigen::MatrixXd& matrix) const {
+    Eigen::MatrixXd fluxes(gradients_.rows(), gradients_.cols());
+    Eigen::VectorXd capacities(T.size());
+    for (Index q = 0; q < T.size(); ++q) {
+      const double weight = weights_[static_cast<std::size_t>(q)];
+      Matrix3 k;
+      for (Index axis = 0; axis < 3; ++axis) k.col(axis) = conducted(q, T[q], Vector3::Unit(axis));
+      fluxes.middleRows<3>(3 * q).noalias() = at.conduction * weight * k * gradients_.middleRows<3>(3 * q);
+      capacities[q] = at.capacity * weight * capacity(T[q]);
     }
+    matrix.noalias() =
+        gradients_.transpose() * fluxes + table_.rows.transpose() * capacities.asDiagonal() * table_.rows;
   }
 
   const Conductor& body_;
   const Table& table_;
-  Eigen::Matrix3Xd x_;
   double time_unit_;
-  bool is_linear_ = false;
+  std::vector<double> weights_;
+  std::vector<Matrix3> axes_;  // of orthotropic bodies, at the points
+  Eigen::MatrixXd gradients_;  // three rows per point; empty if nothing depends on T, and then:
   Eigen::MatrixXd conduction_, capacity_;
 };
 
