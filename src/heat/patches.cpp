@@ -104,13 +104,14 @@ class Cell final : public Patch {
       return;
     }
     const Eigen::VectorXd at_points = table_.rows * T;
-    Eigen::VectorXd stored = table_.rows * rate, flux = gradients_ * T;
-    for (Index q = 0; q < stored.size(); ++q) {
-      flux.segment<3>(3 * q) =
-          weights_[static_cast<std::size_t>(q)] * conducted(q, at_points[q], flux.segment<3>(3 * q));
-      stored[q] *= weights_[static_cast<std::size_t>(q)] * capacity(at_points[q]);
+    const Eigen::VectorXd rates = table_.rows * rate, gradient = gradients_ * T;
+    residual.setZero(T.size());
+    for (Index q = 0; q < rates.size(); ++q) {
+      const double weight = weights_[static_cast<std::size_t>(q)];
+      const Vector3 flux = weight * conducted(q, at_points[q], gradient.segment<3>(3 * q));
+      residual += gradients_.middleRows<3>(3 * q).transpose() * flux;
+      residual += weight * capacity(at_points[q]) * rates[q] * table_.shapes[static_cast<std::size_t>(q)];
     }
-    residual.noalias() = gradients_.transpose() * flux + table_.rows.transpose() * stored;
     if (matrix != nullptr) add_matrix(at, at_points, *matrix);
   }
 
