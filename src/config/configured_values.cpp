@@ -50,6 +50,11 @@ bool ConfiguredFunction::is_of_position_and_time() const {
   });
 }
 
+bool ConfiguredFunction::acts_by_temperature_alone() const {
+  return key.starts_with("heat.") || key.ends_with(".conductance") || key.ends_with(".heat_capacity") ||
+         key.find(".conductivity") != std::string::npos;
+}
+
 namespace {
 
 /// The declarations of the keys; which constants a law has is known to the structs.
@@ -62,6 +67,12 @@ const Value<Config>& declared() {
 
 std::vector<ConfiguredFunction> functions(const Config& config) {
   return functions_of(declared(), config);
+}
+
+bool heat_changes_in_time(const Config& config) {
+  return std::ranges::any_of(functions(config), [](const ConfiguredFunction& function) {
+    return function.acts_by_temperature_alone() && function.value.depends_on_time();
+  });
 }
 
 std::vector<ConfiguredValue> identifying_values(const Config& config) {

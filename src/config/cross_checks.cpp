@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/config/configured.hpp"
 #include "expression_checks.hpp"
 #include "section_checks.hpp"
 
@@ -136,19 +137,6 @@ void check_reference_temperature(const Config& config, const Item& root, Diagnos
           "with reference_temperature, often the temperature of assembly");
 }
 
-/// Whether a function of heat depends on the time.
-bool changes_in_time(const Config& config) {
-  const Heat& heat = *config.heat;
-  const auto depends = [](const auto& all, auto... members) {
-    return std::ranges::any_of(all, [&](const auto& one) { return ((one.*members).depends_on_time() || ...); });
-  };
-  return depends(heat.films, &HeatFilm::coefficient, &HeatFilm::fluid) || depends(heat.fluxes, &HeatFlux::value) ||
-         depends(heat.radiation, &HeatRadiation::emissivity, &HeatRadiation::ambient) ||
-         depends(heat.sources, &HeatSource::value) || depends(heat.temperatures, &HeatTemperature::value) ||
-         std::ranges::any_of(config.contacts,
-                             [](const Contact& contact) { return contact.conductance.value.depends_on_time(); });
-}
-
 /// What [heat] needs of materials and contacts.
 void check_heat(const Config& config, const Item& root, Diagnostics& errors) {
   if (!config.heat) return;
@@ -156,7 +144,7 @@ void check_heat(const Config& config, const Item& root, Diagnostics& errors) {
   if (config.temperature)
     errors.add(heat.location, "next to [temperature]", "one of the two: the temperature is given or computed");
   const Item table = root.child("heat");
-  const bool is_steady = !heat.start && !changes_in_time(config);
+  const bool is_steady = !heat.start && !heat_changes_in_time(config);
   const std::vector<std::string> bodies = names_of(config.bodies);
   const auto check_bodies = [&](const auto& all) {
     for (const auto& one : all) check_name(one.body, "body", bodies, errors);

@@ -13,28 +13,35 @@ const std::vector<std::string> anywhere{"x", "y", "z", "t", "T"};
 const auto surface = [] { return reference("a physical surface"); };
 const auto body = [] { return reference("the name of a body"); };
 
+/// Keys of the place of an entry, before others of its table. @param what  flows there, or is there
+template <class T>
+std::vector<Field<T>> with_place(const std::string& what, std::vector<Field<T>> others) {
+  std::vector<Field<T>> keys{field<T>("on", &T::on, surface(), what, Presence::required),
+                             field<T>("body", &T::body, body(), "only the faces of this body").otherwise("of all")};
+  keys.insert(keys.end(), others.begin(), others.end());
+  return keys;
+}
+
 Value<HeatFilm> film_table() {
-  return written_inline(table<HeatFilm>({
-      field<HeatFilm>("on", &HeatFilm::on, surface(), "surface, in sections curve, along which a fluid flows",
-                      Presence::required),
-      field<HeatFilm>("body", &HeatFilm::body, body(), "only the faces of this body").otherwise("of all"),
-      field<HeatFilm>("coefficient", &HeatFilm::coefficient, function(anywhere, at_least(0)), "film coefficient",
-                      Presence::required)
-          .in("power/(area temperature)"),
-      field<HeatFilm>("fluid", &HeatFilm::fluid, function(position_and_time), "temperature of the fluid",
-                      Presence::required)
-          .in("temperature"),
-  }));
+  return written_inline(table<HeatFilm>(
+      with_place<HeatFilm>("surface, in sections curve, along which a fluid flows",
+                           {
+                               field<HeatFilm>("coefficient", &HeatFilm::coefficient, function(anywhere, at_least(0)),
+                                               "film coefficient", Presence::required)
+                                   .in("power/(area temperature)"),
+                               field<HeatFilm>("fluid", &HeatFilm::fluid, function(position_and_time),
+                                               "temperature of the fluid", Presence::required)
+                                   .in("temperature"),
+                           })));
 }
 
 Value<HeatFlux> flux_table() {
-  return written_inline(table<HeatFlux>({
-      field<HeatFlux>("on", &HeatFlux::on, surface(), "surface, in sections curve", Presence::required),
-      field<HeatFlux>("body", &HeatFlux::body, body(), "only the faces of this body").otherwise("of all"),
-      field<HeatFlux>("value", &HeatFlux::value, function(anywhere), "heat that flows into the body",
-                      Presence::required)
-          .in("power/area"),
-  }));
+  return written_inline(table<HeatFlux>(with_place<HeatFlux>(
+      "surface, in sections curve", {
+                                        field<HeatFlux>("value", &HeatFlux::value, function(anywhere),
+                                                        "heat that flows into the body", Presence::required)
+                                            .in("power/area"),
+                                    })));
 }
 
 Value<HeatTemperature> given_table() {
@@ -49,15 +56,15 @@ Value<HeatTemperature> given_table() {
 }
 
 Value<HeatRadiation> radiation_table() {
-  return written_inline(table<HeatRadiation>({
-      field<HeatRadiation>("on", &HeatRadiation::on, surface(), "surface, in sections curve", Presence::required),
-      field<HeatRadiation>("body", &HeatRadiation::body, body(), "only the faces of this body").otherwise("of all"),
-      field<HeatRadiation>("emissivity", &HeatRadiation::emissivity, function(anywhere, {.min = 0, .max = 1}),
-                           "part of the black body's radiation", Presence::required),
-      field<HeatRadiation>("ambient", &HeatRadiation::ambient, function(position_and_time),
-                           "temperature of the surroundings", Presence::required)
-          .in("temperature"),
-  }));
+  return written_inline(table<HeatRadiation>(with_place<HeatRadiation>(
+      "surface, in sections curve",
+      {
+          field<HeatRadiation>("emissivity", &HeatRadiation::emissivity, function(anywhere, {.min = 0, .max = 1}),
+                               "part of the black body's radiation", Presence::required),
+          field<HeatRadiation>("ambient", &HeatRadiation::ambient, function(position_and_time),
+                               "temperature of the surroundings", Presence::required)
+              .in("temperature"),
+      })));
 }
 
 Value<HeatSource> source_table() {

@@ -10,13 +10,6 @@
 namespace creepcontact::deck {
 namespace {
 
-std::vector<ElementFace> faces_named(const Deck& deck, const std::string& name, std::vector<Note>& unused) {
-  const auto surface = deck.surfaces.find(upper_case(name));
-  if (surface != deck.surfaces.end()) return faces_of(deck, surface->second, unused);
-  return deck.node_sets.contains(upper_case(name)) ? faces_of(deck, {name, true, {{name, 0, {}}}}, unused)
-                                                   : std::vector<ElementFace>();
-}
-
 /// Edges from a node that has moved to one that has not become straight: contact is between corners, and the bend of
 /// such an edge would be read as an overlap.
 void straighten(Deck& deck, const std::vector<ElementFace>& slave, const std::map<std::int64_t, NearestPoint>& moved) {

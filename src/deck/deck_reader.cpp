@@ -140,10 +140,8 @@ void DeckReader::data(const DataLine& line) {
 void DeckReader::finish_card() {
   on_data_ = nullptr;
   if (!pending_.empty()) {
-    mistake(pending_place_,
-            fmt::format("element {} of type {} has {} of its {} nodes", pending_.front(), current_.value("TYPE"),
-                        pending_.size() - 1,
-                        gasket_ ? gasket_->n_nodes : static_cast<std::size_t>(mesh::n_nodes(block_->type.cell))));
+    mistake(pending_place_, fmt::format("element {} of type {} has {} of its {} nodes", pending_.front(),
+                                        current_.value("TYPE"), pending_.size() - 1, n_element_nodes()));
     pending_.clear();
   }
 }

@@ -92,6 +92,9 @@ class DeckReader {
   bool is_short_enough(const DataLine& line, std::size_t most);
   /// @param columns  without the temperature: those that are missing are 0; @param most  with it
   void table(std::optional<Table> Material::*property, const Card& card, std::size_t columns, std::size_t most);
+  /// @param owner  "material 'steel'"
+  void table(std::optional<Table>& table, const Card& card, const std::string& owner, std::size_t columns,
+             std::size_t most);
   /// A table whose rows are longer than a line.
   void table_of_long_rows(std::optional<Table> Material::*property, const Card& card, std::size_t columns);
   void read_set(const Card& card, const std::string& key, std::map<std::string, Set> Deck::*sets);
@@ -100,6 +103,8 @@ class DeckReader {
   void add_node(const DataLine& line, Set* set);
   void add_spring(const std::string& type, const DataLine& line);
   void add_to_element(const DataLine& line);
+  /// How many nodes the element that is read has.
+  std::size_t n_element_nodes() const;
   /// Adds an element that is complete. @param own  its number and nodes
   void add_solid(const Numbers& own, const Place& place);
   void add_gasket(const GasketShape& shape, const Numbers& own, const Place& place);

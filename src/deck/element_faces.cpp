@@ -126,4 +126,11 @@ std::vector<ElementFace> faces_of(const Deck& deck, const Surface& surface, std:
   return {faces.begin(), faces.end()};
 }
 
+std::vector<ElementFace> faces_named(const Deck& deck, const std::string& name, std::vector<Note>& impossible) {
+  const auto surface = deck.surfaces.find(upper_case(name));
+  if (surface != deck.surfaces.end()) return faces_of(deck, surface->second, impossible);
+  return deck.node_sets.contains(upper_case(name)) ? faces_of(deck, {name, true, {{name, 0, {}}}}, impossible)
+                                                   : std::vector<ElementFace>();
+}
+
 }  // namespace creepcontact::deck

@@ -26,4 +26,7 @@ Vector3 outward_area(const Deck& deck, const ElementFace& face);
 /// @param impossible  gets faces that do not exist
 std::vector<ElementFace> faces_of(const Deck& deck, const Surface& surface, std::vector<Note>& impossible);
 
+/// Returns the faces of the surface with a name, or else of the set of nodes; none if there is neither.
+std::vector<ElementFace> faces_named(const Deck& deck, const std::string& name, std::vector<Note>& impossible);
+
 }  // namespace creepcontact::deck

@@ -175,12 +175,7 @@ class GasketTaker {
       for (const std::vector<std::string>& names : raw.data) {
         for (std::size_t own = 0; own < 2 && names.size() >= 2; ++own) {
           if (!holds(names[own], elements, side)) continue;
-          const std::string& other = names[1 - own];
-          const auto surface = deck_.surfaces.find(upper_case(other));
-          std::vector<ElementFace> faces =
-              surface != deck_.surfaces.end()
-                  ? faces_of(deck_, surface->second, impossible_)
-                  : faces_of(deck_, {other, true, {{upper_case(other), 0, raw.card.place}}}, impossible_);
+          std::vector<ElementFace> faces = faces_named(deck_, names[1 - own], impossible_);
           if (faces.empty()) continue;
           consumed_.insert({static_cast<std::size_t>(&raw - deck_.cards.data()),
                             static_cast<std::size_t>(&names - raw.data.data())});

@@ -26,8 +26,12 @@ bool DeckReader::is_short_enough(const DataLine& line, std::size_t most) {
 void DeckReader::table(std::optional<Table> Material::*property, const Card& card, std::size_t columns,
                        std::size_t most) {
   if (material_ == nullptr) return mistake(card.place, "it belongs to a material; there is no *MATERIAL before it");
-  std::optional<Table>& table = material_->*property;
-  if (table) return mistake(card.place, fmt::format("the material '{}' has one already", material_->name));
+  table(material_->*property, card, fmt::format("material '{}'", material_->name), columns, most);
+}
+
+void DeckReader::table(std::optional<Table>& table, const Card& card, const std::string& owner, std::size_t columns,
+                       std::size_t most) {
+  if (table) return mistake(card.place, fmt::format("the {} has one already", owner));
   table = Table{card.place, {}};
   on_data_ = [this, &table, columns, most](const DataLine& line) {
     std::vector<double> row;
@@ -210,20 +214,9 @@ void DeckReader::gasket_thickness_behavior(const Card& card) {
   };
   if (card.has("SLOPEDROP")) behavior_->slope_drop = value("SLOPEDROP").value_or(0);
   if (card.has("YIELDONSET")) behavior_->yield_onset = value("YIELDONSET");
-  std::optional<Table>& table = unloads ? behavior_->unloading : behavior_->loading;
-  if (table) return mistake(card.place, fmt::format("the gasket '{}' has one already", behavior_->material.name));
-  table = Table{card.place, {}};
   const std::size_t columns = unloads ? 4 : 3;  // with the temperature
-  on_data_ = [this, &table, columns](const DataLine& line) {
-    if (!is_short_enough(line, columns)) return;
-    std::vector<double> row;
-    for (std::size_t i = 0; i < columns; ++i) {
-      const std::optional<double> given = real(line, i);
-      if (!given) return;
-      row.push_back(*given);
-    }
-    table->rows.push_back(std::move(row));
-  };
+  table(unloads ? behavior_->unloading : behavior_->loading, card, fmt::format("gasket '{}'", behavior_->material.name),
+        columns, columns);
 }
 
 void DeckReader::amplitude(const Card& card) {

@@ -99,9 +99,13 @@ void DeckReader::add_spring(const std::string& type, const DataLine& line) {
   deck_.springs.push_back(std::move(made));
 }
 
+std::size_t DeckReader::n_element_nodes() const {
+  return gasket_ ? gasket_->n_nodes : static_cast<std::size_t>(mesh::n_nodes(block_->type.cell));
+}
+
 void DeckReader::add_to_element(const DataLine& line) {
   if (pending_.empty()) pending_place_ = line.place;
-  const std::size_t n_nodes = gasket_ ? gasket_->n_nodes : static_cast<std::size_t>(mesh::n_nodes(block_->type.cell));
+  const std::size_t n_nodes = n_element_nodes();
   for (const std::string_view field : line.fields) {
     const std::optional<std::int64_t> own = label(line, field, "the number of an element or a node");
     if (!own) {

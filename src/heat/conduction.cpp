@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 
 #include "creepcontact/base/disjoint_sets.hpp"
@@ -22,10 +21,6 @@ constexpr int most_iterations = 300;
 constexpr double steady_tolerance = 1e-12;  // of the largest flow at a node
 constexpr double least_part = 1e-4;         // of a Newton step
 constexpr std::int32_t not_stored = -1;
-
-std::size_t n_own_nodes(const Conductor& body) {
-  return body.mesh->n_cell_nodes();
-}
 
 double norm(std::span<const double> values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values)).norm();
@@ -65,7 +60,7 @@ struct Conduction::Impl {
 
   void number_unknowns() {
     std::vector<std::size_t> first{0};
-    for (const Conductor& body : definition.bodies) first.push_back(first.back() + n_own_nodes(body));
+    for (const Conductor& body : definition.bodies) first.push_back(first.back() + body.mesh->n_cell_nodes());
     DisjointSets sets(first.back());
     for (const auto& [a, b] : definition.equal)
       sets.join(first[a.body] + static_cast<std::size_t>(a.node), first[b.body] + static_cast<std::size_t>(b.node));
@@ -188,7 +183,6 @@ struct Conduction::Impl {
   }
 
   void solve(std::span<double> x) {
-    ++n_solves;
     solver->forward(x, x);
     solver->backward(x, x);
   }
@@ -208,7 +202,7 @@ struct Conduction::Impl {
   Eigen::VectorXd T, T_rate;
   std::unique_ptr<linalg::StiffnessSolver> solver;
   double segment_begin = -std::numeric_limits<double>::infinity(), segment_end = -segment_begin;
-  std::size_t n_factorizations = 0, n_solves = 0;
+  std::size_t n_factorizations = 0;
 };
 
 Conduction::Conduction(Definition definition) : impl_(std::make_unique<Impl>(std::move(definition))) {}
@@ -223,19 +217,6 @@ std::size_t Conduction::size() const {
 std::size_t Conduction::n_factorizations() const {
   return impl_->n_factorizations;
 }
-std::size_t Conduction::n_solves() const {
-  return impl_->n_solves;
-}
-
-bool Conduction::depends_on_time() const {
-  const Definition& all = impl_->definition;
-  return std::ranges::any_of(
-             all.flows, [](const auto& one) { return one.factor.depends_on_time() || one.beyond.depends_on_time(); }) ||
-         std::ranges::any_of(all.sources, [](const auto& one) { return one.value.depends_on_time(); }) ||
-         std::ranges::any_of(all.given, [](const auto& one) { return one.value.depends_on_time(); }) ||
-         std::ranges::any_of(all.interfaces, [](const auto& one) { return one.conductance.depends_on_time(); });
-}
-
 std::vector<double> Conduction::unknowns(const Function& temperature) const {
   std::vector<double> result;
   for (const Vector3& x : impl_->places) result.push_back(temperature({.x = x[0], .y = x[1], .z = x[2]}));

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/tangents.hpp"
@@ -91,8 +92,8 @@ class Cell final : public Patch {
     for (const Function& k : body.conductivity) is_linear = is_linear && !k.depends_on_temperature();
     if (!is_linear) return;
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(n_points);
-    add_matrix({.conduction = 1, .capacity = 0}, none, conduction_);
-    add_matrix({.conduction = 0, .capacity = 1}, none, capacity_);
+    set_matrix({.conduction = 1, .capacity = 0}, none, conduction_);
+    set_matrix({.conduction = 0, .capacity = 1}, none, capacity_);
     gradients_.resize(0, 0);
   }
 
@@ -108,32 +109,32 @@ class Cell final : public Patch {
     residual.setZero(T.size());
     for (Index q = 0; q < rates.size(); ++q) {
       const double weight = weights_[static_cast<std::size_t>(q)];
-      const Vector3 flux = weight * conducted(q, at_points[q], gradient.segment<3>(3 * q));
+      const Vector3 flux = weight * (conductivity(q, at_points[q]) * gradient.segment<3>(3 * q));
       residual += gradients_.middleRows<3>(3 * q).transpose() * flux;
       residual += weight * capacity(at_points[q]) * rates[q] * table_.shapes[static_cast<std::size_t>(q)];
     }
-    if (matrix != nullptr) add_matrix(at, at_points, *matrix);
+    if (matrix != nullptr) set_matrix(at, at_points, *matrix);
   }
 
  private:
   double capacity(double T) const { return body_.capacity({.T = T}) / time_unit_; }
-  /// The conductivity at a point times a gradient.
-  Vector3 conducted(Index point, double T, const Vector3& gradient) const {
-    if (body_.conductivity.size() == 1) return body_.conductivity.front()({.T = T}) * gradient;
-    Vector3 along = axes_.empty() ? gradient : Vector3(axes_[static_cast<std::size_t>(point)].transpose() * gradient);
-    for (Index axis = 0; axis < 3; ++axis) along[axis] *= body_.conductivity[static_cast<std::size_t>(axis)]({.T = T});
-    return axes_.empty() ? along : Vector3(axes_[static_cast<std::size_t>(point)] * along);
+  Matrix3 conductivity(Index point, double T) const {
+    const std::vector<Function>& along = body_.conductivity;
+    if (along.size() == 1) return along.front()({.T = T}) * Matrix3::Identity();
+    Matrix3 own = Vector3(along[0]({.T = T}), along[1]({.T = T}), along[2]({.T = T})).asDiagonal();
+    if (axes_.empty()) return own;
+    const Matrix3& axes = axes_[static_cast<std::size_t>(point)];
+    return axes * own * axes.transpose();
   }
 
   /// @param T  at the points @param matrix  overwritten
-  void add_matrix(const Moment& at, const Eigen::VectorXd& T, Eigen::MatrixXd& matrix) const {
+  void set_matrix(const Moment& at, const Eigen::VectorXd& T, Eigen::MatrixXd& matrix) const {
     Eigen::MatrixXd fluxes(gradients_.rows(), gradients_.cols());
     Eigen::VectorXd capacities(T.size());
     for (Index q = 0; q < T.size(); ++q) {
       const double weight = weights_[static_cast<std::size_t>(q)];
-      Matrix3 k;
-      for (Index axis = 0; axis < 3; ++axis) k.col(axis) = conducted(q, T[q], Vector3::Unit(axis));
-      fluxes.middleRows<3>(3 * q).noalias() = at.conduction * weight * k * gradients_.middleRows<3>(3 * q);
+      const Matrix3 k = at.conduction * weight * conductivity(q, T[q]);
+      fluxes.middleRows<3>(3 * q).noalias() = k * gradients_.middleRows<3>(3 * q);
       capacities[q] = at.capacity * weight * capacity(T[q]);
     }
     matrix.noalias() =
@@ -149,45 +150,23 @@ class Cell final : public Patch {
   Eigen::MatrixXd conduction_, capacity_;
 };
 
-/// Heat that arises in a cell.
-class SourceCell final : public Patch {
+/// A film, a flux or radiation on a face; or a flux that is a source, per volume of a cell.
+class Inflow final : public Patch {
  public:
-  SourceCell(const Source& source, const Conductor& body, mesh::CellType type, std::span<const std::int64_t> cell)
-      : value_(source.value),
-        section_(body.mesh->section),
-        table_(Table::of(type)),
-        x_(coordinates(*body.mesh, cell)) {}
-
-  void evaluate(const Moment& at, const Eigen::VectorXd& T, const Eigen::VectorXd& /*rate*/, Eigen::VectorXd& residual,
-                Eigen::MatrixXd* matrix) const override {
-    residual.setZero(T.size());
-    if (matrix != nullptr) matrix->setZero(T.size(), T.size());
-    for (std::size_t q = 0; q < table_.shapes.size(); ++q) {
-      const Eigen::VectorXd& N = table_.shapes[q];
-      const Vector3 place = x_ * N;
-      const double volume = table_.rule.weights[static_cast<Index>(q)] * section_.depth(place) *
-                            std::abs(fem::jacobian(table_.element, x_, table_.gradients[q]).determinant());
-      residual.noalias() -= volume * value_(arguments(place, at.t, N.dot(T))) * N;
-    }
-  }
-
- private:
-  Function value_;
-  mesh::Section section_;
-  const Table& table_;
-  Eigen::Matrix3Xd x_;
-};
-
-/// A film, a flux or radiation on a face.
-class FlowFace final : public Patch {
- public:
-  FlowFace(const SurfaceFlow& flow, const Conductor& body, const mesh::Face& face, double absolute_zero)
-      : flow_(flow), absolute_zero_(absolute_zero), table_(Table::of(face.type)) {
-    const Eigen::Matrix3Xd x = coordinates(*body.mesh, face.nodes);
+  Inflow(SurfaceFlow::Kind kind, Function factor, Function beyond, double absolute_zero, const mesh::Mesh& mesh,
+         mesh::CellType type, std::span<const std::int64_t> nodes)
+      : kind_(kind),
+        factor_(std::move(factor)),
+        beyond_(std::move(beyond)),
+        absolute_zero_(absolute_zero),
+        table_(Table::of(type)) {
+    const Eigen::Matrix3Xd x = coordinates(mesh, nodes);
     for (std::size_t q = 0; q < table_.shapes.size(); ++q) {
       places_.emplace_back(x * table_.shapes[q]);
-      areas_.push_back(table_.rule.weights[static_cast<Index>(q)] * body.mesh->section.depth(places_.back()) *
-                       fem::area_vector(table_.element, x, table_.gradients[q]).norm());
+      const double size = mesh.is_bulk(type)
+                              ? std::abs(fem::jacobian(table_.element, x, table_.gradients[q]).determinant())
+                              : fem::area_vector(table_.element, x, table_.gradients[q]).norm();
+      sizes_.push_back(table_.rule.weights[static_cast<Index>(q)] * mesh.section.depth(places_.back()) * size);
     }
   }
 
@@ -200,29 +179,30 @@ class FlowFace final : public Patch {
       const Eigen::VectorXd& N = table_.shapes[q];
       const double own = N.dot(T);
       const Arguments here = arguments(places_[q], at.t, own);
-      const double factor = flow_.factor(here);
-      if (flow_.kind == Kind::flux) {
-        residual.noalias() -= areas_[q] * factor * N;
+      const double factor = factor_(here);
+      if (kind_ == Kind::flux) {
+        residual.noalias() -= sizes_[q] * factor * N;
         continue;
       }
-      const double beyond = flow_.beyond(here);
+      const double beyond = beyond_(here);
       double inwards = factor * (beyond - own), slope = factor;
-      if (flow_.kind == Kind::radiation) {
+      if (kind_ == Kind::radiation) {
         const double a = beyond - absolute_zero_, b = own - absolute_zero_;
         inwards = factor * (a * a * a * a - b * b * b * b);
         slope = 4 * factor * std::abs(b * b * b);
       }
-      residual.noalias() -= areas_[q] * inwards * N;
-      if (matrix != nullptr) matrix->noalias() += at.conduction * areas_[q] * slope * N * N.transpose();
+      residual.noalias() -= sizes_[q] * inwards * N;
+      if (matrix != nullptr) matrix->noalias() += at.conduction * sizes_[q] * slope * N * N.transpose();
     }
   }
 
  private:
-  const SurfaceFlow& flow_;
+  SurfaceFlow::Kind kind_;
+  Function factor_, beyond_;
   double absolute_zero_;
   const Table& table_;
   std::vector<Vector3> places_;
-  std::vector<double> areas_;
+  std::vector<double> sizes_;  // area or volume
 };
 
 /// Two faces that see each other. The nodes are those of the first, then those of the second.
@@ -261,37 +241,40 @@ class InterfaceFaces final : public Patch {
   const Conductor &first_, &second_;
 };
 
-}  // namespace
-
-Patches cell_patches(const Conductor& body, const std::vector<int>& unknown_of, double time_unit) {
+/// @param make  the patch of a cell: of its type and nodes
+template <typename Make>
+Patches patches_of_cells(const Conductor& body, const std::vector<int>& unknown_of, const Make& make) {
   Patches result;
   for (const mesh::CellBlock& block : body.mesh->blocks) {
     if (!body.mesh->is_bulk(block.type)) continue;
     for (std::size_t c = 0; c < block.size(); ++c) {
-      result.push_back(std::make_unique<Cell>(body, block.type, block.cell(c), time_unit));
+      result.push_back(make(block.type, block.cell(c)));
       result.back()->nodes = unknowns(block.cell(c), unknown_of);
     }
   }
   return result;
 }
 
+}  // namespace
+
+Patches cell_patches(const Conductor& body, const std::vector<int>& unknown_of, double time_unit) {
+  return patches_of_cells(body, unknown_of, [&](mesh::CellType type, std::span<const std::int64_t> cell) {
+    return std::make_unique<Cell>(body, type, cell, time_unit);
+  });
+}
+
 Patches source_patches(const Source& source, const Conductor& body, const std::vector<int>& unknown_of) {
-  Patches result;
-  for (const mesh::CellBlock& block : body.mesh->blocks) {
-    if (!body.mesh->is_bulk(block.type)) continue;
-    for (std::size_t c = 0; c < block.size(); ++c) {
-      result.push_back(std::make_unique<SourceCell>(source, body, block.type, block.cell(c)));
-      result.back()->nodes = unknowns(block.cell(c), unknown_of);
-    }
-  }
-  return result;
+  return patches_of_cells(body, unknown_of, [&](mesh::CellType type, std::span<const std::int64_t> cell) {
+    return std::make_unique<Inflow>(SurfaceFlow::Kind::flux, source.value, 0.0, 0.0, *body.mesh, type, cell);
+  });
 }
 
 Patches flow_patches(const SurfaceFlow& flow, const Conductor& body, const std::vector<int>& unknown_of,
                      double absolute_zero) {
   Patches result;
   for (const mesh::Face& face : flow.faces) {
-    result.push_back(std::make_unique<FlowFace>(flow, body, face, absolute_zero));
+    result.push_back(std::make_unique<Inflow>(flow.kind, flow.factor, flow.beyond, absolute_zero, *body.mesh, face.type,
+                                              face.nodes));
     result.back()->nodes = unknowns(face.nodes, unknown_of);
   }
   return result;

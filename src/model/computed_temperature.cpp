@@ -13,7 +13,6 @@
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/config/configured.hpp"
 #include "creepcontact/heat/history.hpp"
-#include "function_search.hpp"
 #include "heat_remarks.hpp"
 
 namespace creepcontact::model {
@@ -57,13 +56,8 @@ class HeatProblem {
     heat::Conduction problem(std::move(all_));
     std::vector<double> start = problem.unknowns(heat_.start.value_or(guess()));
     if (!heat_.start) problem.steady(0, start);
-    const bool is_steady = !heat_.start && !problem.depends_on_time();
+    const bool is_steady = !heat_.start && !config::heat_changes_in_time(config_);
     const double end = is_steady ? 0 : config_.time.end;
-    if (end > 0)
-      for (const config::Body& body : config_.bodies)
-        if (!config_.material(body.material.name).heat_capacity)
-          throw ModelError(fmt::format("the temperature changes in time, and the material '{}' has no heat_capacity",
-                                       body.material.name));
     if (end > 0) tell_of_heat(heat_, problem, start, end);
     const Interval range = range_of_temperatures(problem, start);
     const double allowed = heat_.tolerance * std::max(range.high - range.low, std::numeric_limits<double>::min());
@@ -73,7 +67,7 @@ class HeatProblem {
   }
 
  private:
-  std::size_t face_dimension() const { return static_cast<std::size_t>(whole_.section.dimension()) - 1; }
+  int face_dimension() const { return whole_.section.dimension() - 1; }
   std::vector<std::size_t> bodies_on(const config::Reference& on, const config::Reference& body, int dimension) const {
     return model::bodies_on(config_, whole_, meshes_, on.name, body, dimension);
   }
@@ -95,7 +89,7 @@ class HeatProblem {
 
   void add_flow(heat::SurfaceFlow::Kind kind, const config::Reference& on, const config::Reference& body,
                 const Function& factor, const Function& beyond) {
-    for (const std::size_t b : bodies_on(on, body, static_cast<int>(face_dimension())))
+    for (const std::size_t b : bodies_on(on, body, face_dimension()))
       all_.flows.push_back({kind, b, mesh::boundary_faces(meshes_[b], on.name), factor, beyond});
   }
 
@@ -126,9 +120,7 @@ class HeatProblem {
   void add_contact(const config::Contact& contact) {
     using Kind = config::Conductance::Kind;
     if (contact.conductance.kind == Kind::insulated) return;
-    const auto owners = [&](std::size_t side) {
-      return bodies_on(contact.between[side], {}, static_cast<int>(face_dimension()));
-    };
+    const auto owners = [&](std::size_t side) { return bodies_on(contact.between[side], {}, face_dimension()); };
     const std::array<std::size_t, 2> bodies = contact_bodies(contact, config_, {owners(0), owners(1)});
     heat::Interface made{
         contact.name, bodies[0], bodies[1], {}, contact.conductance.value, contact.conductance.kind != Kind::function};
@@ -183,16 +175,17 @@ class HeatProblem {
 
   std::vector<double> kinks(double end) const {
     std::vector<double> times = config_.time.breakpoints;
+    const double T = guess();
     for (const config::ConfiguredFunction& function : config::functions(config_)) {
-      if (!acts_by_temperature_alone(function) || !function.value.depends_on_time()) continue;
+      if (!function.acts_by_temperature_alone() || !function.value.depends_on_time()) continue;
       if (function.value.table_range("t")) {
         std::ranges::copy(function.value.breakpoints(end), std::back_inserter(times));
         continue;
       }
       for (const Vector3& x : some_places()) {
-        const CourseEvents events = find_events(
-            [&](double t) { return function.value({.x = x[0], .y = x[1], .z = x[2], .t = t, .T = guess()}); }, end,
-            config_.time.cycle, {});
+        const CourseEvents events =
+            find_events([&](double t) { return function.value({.x = x[0], .y = x[1], .z = x[2], .t = t, .T = T}); },
+                        end, config_.time.cycle, {});
         for (const auto* found : {&events.jumps, &events.kinks}) std::ranges::copy(*found, std::back_inserter(times));
         if (!function.value.depends_on_position()) break;
       }
@@ -256,11 +249,6 @@ class HeatProblem {
 };
 
 }  // namespace
-
-bool acts_by_temperature_alone(const config::ConfiguredFunction& function) {
-  return function.key.starts_with("heat.") || function.key.ends_with(".conductance") ||
-         function.key.ends_with(".heat_capacity") || function.key.find(".conductivity") != std::string::npos;
-}
 
 mechanics::TemperatureField computed_temperature(const config::Config& config, const mesh::Mesh& whole,
                                                  const BodyMeshes& meshes, const SharedNodes& shared,

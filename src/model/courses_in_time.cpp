@@ -5,7 +5,6 @@
 
 #include "creepcontact/model/step_guard.hpp"
 #include "function_courses.hpp"
-#include "function_search.hpp"
 #include "places.hpp"
 
 namespace creepcontact::model {
@@ -20,7 +19,7 @@ std::vector<CoursesInTime> courses_in_time(const config::Config& config, const M
   KeyPlaces key_places(config, model.bodies());
   std::vector<CoursesInTime> result;
   for (const config::ConfiguredFunction& function : config::functions(config)) {
-    if (acts_by_temperature_alone(function)) continue;
+    if (function.acts_by_temperature_alone()) continue;
     const FunctionCourses courses(function, config, model.bodies(), model.temperature);
     if (!courses.changes_in_time()) continue;
     const std::shared_ptr<const Places> places = key_places.of(function.key);

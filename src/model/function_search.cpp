@@ -33,7 +33,7 @@ class FunctionSearch {
         temperature_(temperature),
         functions_(config::functions(config)),
         key_places_(config, bodies) {
-    std::erase_if(functions_, acts_by_temperature_alone);
+    std::erase_if(functions_, &config::ConfiguredFunction::acts_by_temperature_alone);
     for (const config::ConfiguredFunction& function : functions_) {
       const FunctionCourses courses(function, config, bodies, temperature);
       n_of_place_ += courses.changes_in_time() && courses.depends_on_place() ? 1 : 0;

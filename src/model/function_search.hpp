@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "course_events.hpp"
-#include "creepcontact/config/configured.hpp"
 #include "model_parts.hpp"
 
 namespace creepcontact::model {
@@ -20,9 +19,6 @@ struct SearchedFunction {
   /// Where the temperature of a place passes a point of a table in T, or a kink or jump of an expression in T.
   std::vector<double> passages;
 };
-
-/// True for functions of [heat] and conductances: what they do is in the temperature that is computed.
-bool acts_by_temperature_alone(const config::ConfiguredFunction& function);
 
 /// Every function of config.functions that changes in time, functions with the same text and places once.
 ///

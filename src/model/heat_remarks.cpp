@@ -68,7 +68,8 @@ void tell_of_heat(const config::Heat& heat, const heat::Conduction& problem, std
       largest = std::max(largest, flow.factor(at));
       range = std::max(range, std::abs(flow.beyond(at) - start.front()));
     }
-    if (!(flow.factor(at = {.x = x[0], .y = x[1], .z = x[2], .T = start.front()}) > 0)) jump = 0;
+    at.t = 0;
+    if (!(flow.factor(at) > 0)) jump = 0;
     for (const double t : flow.beyond.breakpoints(end))
       jump = std::max(jump, std::abs(fluid(t) - fluid(std::nextafter(t, 0))));
     const double size = size_of(*body.mesh, face);

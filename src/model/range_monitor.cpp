@@ -21,8 +21,11 @@ std::string name_of(const std::vector<config::CreepMechanism>& creep, std::size_
   return fmt::format("creep[{}] ({})", law, creep[law].law);
 }
 
+std::string owner(const char* kind, const std::string& name) {
+  return fmt::format("{} '{}'", kind, name);
+}
 std::string owner_of(const mechanics::Body& body) {
-  return fmt::format("material '{}'", body.material().name);
+  return owner("material", body.material().name);
 }
 
 /// What has creep laws and tables.
@@ -35,13 +38,12 @@ struct Owner {
 std::vector<Owner> owners(const config::Config& config) {
   std::vector<Owner> result;
   for (const config::Material& material : config.materials)
-    result.push_back(
-        {fmt::format("material '{}'", material.name), fmt::format("materials.{}.", material.name), material.creep});
+    result.push_back({owner("material", material.name), fmt::format("materials.{}.", material.name), material.creep});
   for (const config::Gasket& gasket : config.gaskets)
-    result.push_back({fmt::format("gasket '{}'", gasket.name), fmt::format("gaskets.{}.", gasket.name), gasket.creep});
+    result.push_back({owner("gasket", gasket.name), fmt::format("gaskets.{}.", gasket.name), gasket.creep});
   for (std::size_t i = 0; i < config.springs.size(); ++i)
     result.push_back(
-        {fmt::format("spring '{}'", config.springs[i].name), fmt::format("springs[{}].", i), config.springs[i].creep});
+        {owner("spring", config.springs[i].name), fmt::format("springs[{}].", i), config.springs[i].creep});
   return result;
 }
 
@@ -71,15 +73,14 @@ RangeMonitor::RangeMonitor(const config::Config& config) {
   }
   for (const config::Gasket& gasket : config.gaskets)
     if (gasket.loading.size() > 1)
-      tables_[fmt::format("gasket '{}'", gasket.name)].push_back(
+      tables_[owner("gasket", gasket.name)].push_back(
           {"loading", {*gasket.loading.front().T, *gasket.loading.back().T}});
   for (const config::Material& material : config.materials)
     if (material.plasticity && !material.plasticity->curve.empty()) {
       double end = std::numeric_limits<double>::infinity();
       for (const config::PlasticCurve& curve : material.plasticity->curve)
         end = std::min(end, curve.plastic_strain.back());
-      if (end > 0)
-        curves_[fmt::format("material '{}'", material.name)] = end;  // one point is a yield stress that does not harden
+      if (end > 0) curves_[owner("material", material.name)] = end;  // one point is a yield stress that does not harden
     }
   // A temperature from a file may change; the field itself will tell.
   changes_in_time_ =
@@ -103,17 +104,17 @@ void RangeMonitor::observe(const std::vector<contact::Pair>& pairs, const creep:
   for (const contact::Pair& pair : pairs) {
     if (!pair.gasket || pair.coupling.nodes.empty()) continue;
     const contact::GasketKind& kind = pair.gasket->kind();
-    const std::string owner = fmt::format("{} '{}'", kind.is_spring ? "spring" : "gasket", kind.name);
-    if (stresses_.contains(owner)) {
+    const std::string of = owner(kind.is_spring ? "spring" : "gasket", kind.name);
+    if (stresses_.contains(of)) {
       const auto multiplier = at.contact.multiplier.segment(pair.first_row, pair.coupling.n_rows());
       std::vector<double> stress;
       for (std::size_t node = 0; node < pair.coupling.nodes.size(); ++node)
         stress.push_back(kind.stress_per_pressure * pair.coupling.pressure(node, multiplier));
-      check_stress(owner, kind.is_spring ? "force" : "pressure", extreme_of(pair, stress, 1), at.time);
+      check_stress(of, kind.is_spring ? "force" : "pressure", extreme_of(pair, stress, 1), at.time);
     }
-    if (tables_.contains(owner)) {
+    if (tables_.contains(of)) {
       const std::vector<double> temperatures = pair.gasket->temperatures(at.time);
-      check_temperature(owner, extreme_of(pair, temperatures, 1), extreme_of(pair, temperatures, -1), at.time, true);
+      check_temperature(of, extreme_of(pair, temperatures, 1), extreme_of(pair, temperatures, -1), at.time, true);
     }
   }
 }

@@ -21,6 +21,8 @@ struct ConfiguredFunction {
   bool may_depend_on(const std::string& variable) const;
   /// True if it may depend on x, y, z and t only.
   bool is_of_position_and_time() const;
+  /// True for functions of [heat], conductances and what conducts: what they do is in the temperature that is computed.
+  bool acts_by_temperature_alone() const;
 };
 
 /// The value of a key.
@@ -32,6 +34,8 @@ struct ConfiguredValue {
 /// All functions in the order of the keys, those of keys that have their defaults included. Cost: linear in the
 /// number of keys.
 std::vector<ConfiguredFunction> functions(const Config& config);
+/// Whether one of those that act by the temperature alone depends on the time.
+bool heat_changes_in_time(const Config& config);
 
 /// The values that identify the model (KeyInfo::identifies_model), in the order of the keys. A key that has its default
 /// is among them if there is a default to be written.

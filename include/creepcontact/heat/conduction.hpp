@@ -95,8 +95,6 @@ class Conduction final : public ode::ImplicitSystem {
 
   const Definition& definition() const;
   std::size_t size() const override;
-  /// True if something changes with t.
-  bool depends_on_time() const;
   /// Unknowns of these temperatures at all nodes.
   std::vector<double> unknowns(const Function& temperature) const;
   /// Temperatures of the nodes of a body without its axial node.
@@ -117,7 +115,6 @@ class Conduction final : public ode::ImplicitSystem {
   Balance balance(double t, std::span<const double> y, std::span<const double> rate) const;
 
   std::size_t n_factorizations() const;
-  std::size_t n_solves() const;
 
  private:
   struct Impl;

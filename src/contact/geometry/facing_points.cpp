@@ -19,11 +19,9 @@ void append_turned(const std::vector<Facet>& own, const Sector& sector, int sect
 }
 
 ShapeValues shape_values(const fem::ReferenceElement& element, const Vector3& xi) {
-  ShapeValues values(element.n_nodes());
   Eigen::VectorXd shape(element.n_nodes());
   element.shape(xi, shape);
-  values = shape;
-  return values;
+  return shape;
 }
 
 }  // namespace
@@ -48,13 +46,11 @@ std::vector<FacingFaces> facing_faces(const mesh::Mesh& first, const std::vector
       FacingFaces made;
       made.first_nodes = slave.nodes();
       made.second_nodes = own[own_of[segment.master]].nodes();
-      made.corners.assign(slave.nodes().begin(), slave.nodes().begin() + slave.n_corners());
       made.size = std::max(slave.diameter(), master.diameter());
       for (const SegmentPoint& point : segment.points) {
         const Vector3 position = slave.position(point.slave_xi);
         made.points.push_back({slave.in_section(position), point.weight, shape_values(slave.element(), point.slave_xi),
-                               shape_values(master.element(), point.master_xi),
-                               shape_values(slave.corner_element(), point.slave_xi)});
+                               shape_values(master.element(), point.master_xi)});
       }
       result.push_back(std::move(made));
     }

@@ -15,6 +15,10 @@ class HistoryErrors final : public Observer {
  public:
   explicit HistoryErrors(const RunContext& context) : context_(context) {}
 
+  static bool has_unloading(const RunContext& context) {
+    return std::ranges::any_of(context.system().assembly().pairs(), unloads);
+  }
+
   void end(End /*how*/) override {
     if (flow() > noticed_flow)
       log::warning(
@@ -31,16 +35,12 @@ class HistoryErrors final : public Observer {
   }
   void finish(Summary& summary) const override {
     if (context_.system().has_yielding()) summary.results.plastic_error = flow();
-    if (has_unloading()) summary.results.gasket_error = closure();
+    if (has_unloading(context_)) summary.results.gasket_error = closure();
   }
 
  private:
   double flow() const { return context_.system().history().plastic.error; }
 
-  bool has_unloading() const {
-    return std::ranges::any_of(context_.system().assembly().pairs(),
-                               [](const contact::Pair& pair) { return unloads(pair); });
-  }
   static bool unloads(const contact::Pair& pair) { return pair.gasket && pair.gasket->kind().law.has_history(); }
 
   /// The largest error of a node, relative to the largest closure of its gasket.
@@ -63,6 +63,7 @@ class HistoryErrors final : public Observer {
 }  // namespace
 
 std::unique_ptr<Observer> observe_history_errors(const RunContext& context) {
+  if (!context.system().has_yielding() && !HistoryErrors::has_unloading(context)) return nullptr;
   return std::make_unique<HistoryErrors>(context);
 }
 
