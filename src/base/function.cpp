@@ -112,6 +112,10 @@ bool Function::depends_on_temperature() const {
 bool Function::depends_on_strain() const {
   return definition_->variables.contains("eps");
 }
+bool Function::depends_on_contact() const {
+  const auto& used = definition_->variables;
+  return used.contains("p") || used.contains("gap");
+}
 std::vector<double> Function::breakpoints() const {
   return definition_->breakpoints(std::numeric_limits<double>::infinity());
 }

@@ -1,4 +1,4 @@
-/// Tables in t, periodic or not, and in T.
+/// Tables in t, periodic or not, and in T, p or gap.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,6 +13,8 @@
 
 namespace creepcontact {
 namespace {
+
+const std::string table_variables[] = {"t", "T", "p", "gap"};
 
 std::string written(const std::string& variable, const std::vector<double>& abscissae,
                     const std::vector<double>& values, std::optional<double> period) {
@@ -116,8 +118,9 @@ std::string Function::period_error(const std::string& variable, const std::vecto
 
 Function Function::table(const std::string& variable, std::vector<double> abscissae, std::vector<double> values,
                          std::optional<double> period) {
-  if (variable != "t" && variable != "T")
-    throw std::invalid_argument(fmt::format("the variable of a table must be 't' or 'T', not '{}'", variable));
+  if (std::ranges::find(table_variables, variable) == std::end(table_variables))
+    throw std::invalid_argument(
+        fmt::format("the variable of a table must be one of {}, not '{}'", fmt::join(table_variables, ", "), variable));
   if (abscissae.empty()) throw std::invalid_argument(fmt::format("the table in {} has no points", variable));
   if (abscissae.size() != values.size())
     throw std::invalid_argument(

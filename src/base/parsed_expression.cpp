@@ -19,14 +19,16 @@ struct Variable {
   const char* name;
   double Arguments::*member;
 };
-constexpr std::array<Variable, 8> known_variables{{{"x", &Arguments::x},
+constexpr std::array<Variable, 10> known_variables{{{"x", &Arguments::x},
                                                    {"y", &Arguments::y},
                                                    {"z", &Arguments::z},
                                                    {"t", &Arguments::t},
                                                    {"T", &Arguments::T},
                                                    {"q", &Arguments::q},
                                                    {"eps", &Arguments::eps},
-                                                   {"U", &Arguments::U}}};
+                                                   {"U", &Arguments::U},
+                                                   {"p", &Arguments::p},
+                                                   {"gap", &Arguments::gap}}};
 
 /// Remainder with the sign of b.
 double modulo(double a, double b) {

@@ -20,6 +20,7 @@ struct Command {
 };
 
 int run(const Command& self, const Arguments& arguments);
+int heat_alone(const Command& self, const Arguments& arguments);
 int check(const Command& self, const Arguments& arguments);
 int study(const Command& self, const Arguments& arguments);
 int plot(const Command& self, const Arguments& arguments);

@@ -28,6 +28,8 @@ namespace {
 const std::vector<Command>& commands() {
   static const std::vector<Command> all{
       {"run", "CONFIG.toml [options]", "Runs the analysis that a configuration describes.", run},
+      {"heat", "CONFIG.toml [options]", "Computes the temperatures of a configuration alone, without its mechanics.",
+       heat_alone},
       {"check", "CONFIG.toml [options]", "Checks a configuration and its mesh without running the analysis.", check},
       {"study", "STUDY.toml [options]", "Runs a configuration with many different settings and compares the results.",
        study},

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <iostream>
+#include <iterator>
 
 #include "command.hpp"
 #include "creepcontact/base/cores.hpp"
@@ -15,7 +17,10 @@ namespace creepcontact::cli {
 
 namespace po = boost::program_options;
 
-int run(const Command& self, const Arguments& arguments) {
+namespace {
+
+/// @param settings  of the command, before those of the user
+int run_with(const std::vector<std::string>& settings, const Command& self, const Arguments& arguments) {
   run::RunOptions options;
   int threads = 0;
   bool quiet = false, verbose = false;
@@ -39,7 +44,11 @@ int run(const Command& self, const Arguments& arguments) {
   options.processes = Processes::of_run();
   config::Config config;
   together(*options.processes.team,
-           [&] { config = config::read(line.positional(), run::vocabulary(), overrides(line)); });
+           [&] {
+             std::vector<std::string> all = settings;
+             std::ranges::copy(overrides(line), std::back_inserter(all));
+             config = config::read(line.positional(), run::vocabulary(), all);
+           });
   config.mesh.trust_geometry = line.has(trust_option);
   ThreadChoice choice(threads);
   if (quiet && Processes::is_first()) log::set_level(log::Level::warning);
@@ -60,6 +69,16 @@ int run(const Command& self, const Arguments& arguments) {
     for (const std::string& advice : result.advice) log::warning("{}", advice);
   }
   return result.exit_status;
+}
+
+}  // namespace
+
+int run(const Command& self, const Arguments& arguments) {
+  return run_with({}, self, arguments);
+}
+
+int heat_alone(const Command& self, const Arguments& arguments) {
+  return run_with({"heat.alone = true"}, self, arguments);
 }
 
 }  // namespace creepcontact::cli

@@ -1,5 +1,6 @@
 /// The document as a whole.
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -13,6 +14,19 @@ const Material& Config::material(const std::string& name) const {
     if (candidate.name == name) return candidate;
   }
   throw std::out_of_range("no material '" + name + "'");
+}
+
+bool Config::is_heat_alone() const {
+  if (!heat) return false;
+  return heat->alone.value_or(std::ranges::all_of(materials, [](const Material& material) {
+    return !material.orthotropic && material.young_modulus.is_zero();
+  }));
+}
+
+bool Config::has_coupled_heat() const {
+  return heat && !is_heat_alone() && std::ranges::any_of(contacts, [](const Contact& contact) {
+    return contact.conductance.value.depends_on_contact();
+  });
 }
 
 Value<Config> config_table(const Vocabulary& vocabulary) {

@@ -144,7 +144,10 @@ void check_heat(const Config& config, const Item& root, Diagnostics& errors) {
   if (config.temperature)
     errors.add(heat.location, "next to [temperature]", "one of the two: the temperature is given or computed");
   const Item table = root.child("heat");
-  const bool is_steady = !heat.start && !heat_changes_in_time(config);
+  const bool is_steady = config.time.end == 0 || (!heat.start && !heat_changes_in_time(config) && !config.has_coupled_heat());
+  if (config.time.end == 0 && heat.start)
+    errors.add(table.child("start").location, "would be all that is computed up to time.end = 0",
+               "\"steady\", or a later time.end");
   const std::vector<std::string> bodies = names_of(config.bodies);
   const auto check_bodies = [&](const auto& all) {
     for (const auto& one : all) check_name(one.body, "body", bodies, errors);
@@ -177,6 +180,46 @@ void check_heat(const Config& config, const Item& root, Diagnostics& errors) {
       errors.add(contact.location, "has no 'conductance'",
                  "a number or a function, \"perfect\" or \"insulated\": what is perfect where closed and insulated "
                  "where open may have no solution");
+}
+
+/// What cannot be part of a run whose temperature is part of the state.
+void check_coupled_heat(const Config& config, const Item& root, Diagnostics& errors) {
+  if (!config.heat) return;
+  for (const Contact& contact : config.contacts) {
+    if (!contact.conductance.value.depends_on_contact()) continue;
+    if (contact.type == ContactType::tied)
+      errors.add(contact.location, "'conductance' depends on p or gap, but a tied contact always conducts as if closed",
+                 "a number, or a function of x, y, z, t and T");
+    if (config.is_heat_alone())
+      errors.add(contact.location, "'conductance' depends on p or gap, but nothing but the heat is computed",
+                 "a number, or a function of x, y, z, t and T; or a run with the mechanics");
+  }
+  if (!config.has_coupled_heat()) return;
+  const std::string why = "a conductance depends on p or gap, and the temperature is part of the state";
+  const auto refuse = [&](const Location& at, const std::string& what, const std::string& remedy) {
+    errors.add(at, fmt::format("{}: not possible where {}", what, why), remedy);
+  };
+  for (const Contact& contact : config.contacts) {
+    if (!contact.friction.is_zero())
+      refuse(contact.location, "'friction'", "contact without friction, or conductances that do not depend on contact");
+    if (contact.gasket.given())
+      refuse(contact.location, "'gasket'", "no gaskets, or conductances that do not depend on contact");
+    if (contact.preload && contact.preload->time == 0 && !config.heat->start)
+      refuse(contact.location, "a preload at t = 0 with heat.start = \"steady\"",
+             "a temperature as heat.start, or a later preload");
+  }
+  for (const Material& material : config.materials)
+    if (material.plasticity)
+      refuse(material.plasticity->location, "'plasticity'",
+             "materials that only creep, or conductances that do not depend on contact");
+  const Item time = root.child("time");
+  if (const std::string& name = config.time.integrator; name != "auto" && name != "cvode_bdf" && name != "arkode_dirk")
+    refuse(time.child("integrator").location, fmt::format("the integrator '{}'", name),
+           "\"auto\", \"cvode_bdf\" or \"arkode_dirk\", whose iterations know the derivatives of heat");
+  if (config.time.linear_solver == LinearSolver::tangent)
+    refuse(time.child("linear_solver").location, "\"tangent\"", "\"krylov\"");
+  if (config.time.jump_cycles)
+    refuse(time.child("jump_cycles").location, "'jump_cycles'", "a run through all cycles");
 }
 
 /// Axes of a material without any are a mistake somewhere else.
@@ -266,6 +309,7 @@ void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
   check_reference_temperature(config, root, errors);
   check_material_axes(config, root, errors);
   check_heat(config, root, errors);
+  check_coupled_heat(config, root, errors);
 }
 
 }  // namespace creepcontact::config

@@ -1,4 +1,4 @@
-/// Function values: a number, an expression, or a table in t or T.
+/// Function values: a number, an expression, or a table in t, T, p or gap.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,7 +25,7 @@ struct Allowed {
   }
   std::vector<std::string> table_variables() const {
     std::vector<std::string> names;
-    for (const char* name : {"t", "T"}) {
+    for (const char* name : {"t", "T", "p", "gap"}) {
       if (has(name)) names.emplace_back(name);
     }
     return names;

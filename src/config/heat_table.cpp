@@ -1,6 +1,5 @@
 /// [heat], and how contacts conduct
 
-#include <regex>
 
 #include "table.hpp"
 #include "tables.hpp"
@@ -105,7 +104,7 @@ struct HeatKeys : Heat {
 }  // namespace
 
 Value<Conductance> conductance_value() {
-  const Value<Function> given = function(anywhere, at_least(0));
+  const Value<Function> given = function({"x", "y", "z", "t", "T", "p", "gap"}, at_least(0));
   Value<Conductance> value{.type = given.type + ", \"perfect\" or \"insulated\"",
                            .read = {},
                            .brief = given.brief + ", `\"perfect\"` or `\"insulated\"`",
@@ -117,12 +116,6 @@ Value<Conductance> conductance_value() {
     const auto text = item.node->value<std::string>();
     if (text == "perfect") return Conductance{Conductance::Kind::perfect};
     if (text == "insulated") return Conductance{Conductance::Kind::insulated};
-    static const std::regex coupled("(^|[^A-Za-z0-9_])(p|gap)([^A-Za-z0-9_]|$)");
-    if (text && std::regex_search(*text, coupled)) {
-      context.errors.add(item.location, "a conductance that depends on the pressure p or on the gap",
-                         "a function of x, y, z, t and T: the temperature is computed before the contact");
-      return std::nullopt;
-    }
     const auto found = given.read(item, context);
     if (!found) return std::nullopt;
     return Conductance{Conductance::Kind::function, *found};
@@ -168,6 +161,9 @@ Value<Heat> heat_table() {
                       "-273.15 if temperatures are in degrees Celsius")
           .in("temperature")
           .otherwise("required with `radiation`"),
+      field<HeatKeys>("alone", &HeatKeys::alone, boolean(),
+                      "computes the temperature alone, without any mechanics")
+          .otherwise("true if no material has elastic constants"),
       field<HeatKeys>("tolerance", &HeatKeys::tolerance, number({.min = 1e-9, .max = 0.1}),
                       "error of temperatures, relative to the range of those given"),
   });

@@ -360,14 +360,16 @@ Value<LibraryOverrides> overrides_table() {
 Value<Material> material_table(const Vocabulary& vocabulary) {
   const std::vector<std::string> T{"T"};
   const Range compressible{.min = -1.0, .max = 0.5, .open_min = true, .open_max = true};
-  const auto is_isotropic = [](const Material& material) { return !material.orthotropic; };
+  const auto is_isotropic = [](const Material& material) {
+    return !material.orthotropic && !material.young_modulus.is_zero();
+  };
   const std::vector<Field<Material>> isotropic{
       field<Material>("young_modulus", &Material::young_modulus, function(T, greater(0)), "Young's modulus")
-          .otherwise("required without `orthotropic`")
+          .otherwise("required without `orthotropic`, unless only the heat is computed")
           .needed_if(is_isotropic)
           .in("stress"),
       field<Material>("poisson_ratio", &Material::poisson_ratio, function(T, compressible), "Poisson's ratio")
-          .otherwise("required without `orthotropic`")
+          .otherwise("required without `orthotropic`, unless only the heat is computed")
           .needed_if(is_isotropic),
   };
   const auto keys = table<Material>({
@@ -444,7 +446,7 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
     }
     if (!material.orthotropic) {
       std::vector<KeyInfo> needed{isotropic[0].info, isotropic[1].info};
-      for (KeyInfo& key : needed) key.required = true;
+      for (KeyInfo& key : needed) key.required = !context.is_heat_alone;
       require_keys(item, needed, context);
     } else {
       for (const std::string& key : given_keys(item, {"young_modulus", "poisson_ratio"}))

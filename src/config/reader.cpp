@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/config/writer.hpp"
 #include "cross_checks.hpp"
@@ -34,6 +36,18 @@ bool selects_library_data(const std::string& override_text) {
          (key.ends_with(".use") || key.ends_with(".units") || key.find(".override") != std::string::npos);
 }
 
+/// As Config::is_heat_alone(), before the document has been read.
+bool is_heat_alone(const toml::table& document) {
+  if (!document["heat"].is_table()) return false;
+  if (const auto given = document["heat"]["alone"].value<bool>()) return *given;
+  const toml::table* materials = document["materials"].as_table();
+  if (materials == nullptr) return false;
+  return std::ranges::none_of(*materials, [](const auto& material) {
+    const toml::table* keys = material.second.as_table();
+    return keys != nullptr && (keys->contains("young_modulus") || keys->contains("orthotropic"));
+  });
+}
+
 }  // namespace
 
 Config parse(const std::string& text, const std::filesystem::path& file, const Vocabulary& vocabulary,
@@ -48,6 +62,7 @@ Config parse(const std::string& text, const std::filesystem::path& file, const V
   for (const std::string& one : overrides)
     if (!selects_library_data(one)) apply_override(one, document, context.errors);
   context.end = document["time"]["end"].value<double>().value_or(0.0);
+  context.is_heat_alone = is_heat_alone(document);
   const Item root{&document, {.file = file.string(), .line = 1, .column = 1}};
   Config config = config_table(vocabulary).read(root, context).value();
   set_section_defaults(root, config);

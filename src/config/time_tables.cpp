@@ -88,7 +88,10 @@ void check_cycles(const Time& time, const Item& item, Context& context) {
 std::optional<Time> make_time(TimeKeys keys, const Vocabulary& vocabulary, const Item& item, Context& context) {
   keys.location = item.location;
   std::sort(keys.breakpoints.begin(), keys.breakpoints.end());
-  if (keys.end > 0) keys.output = resolve(keys.wanted, keys.end, item.child("output").location, context);
+  if (keys.end > 0)
+    keys.output = resolve(keys.wanted, keys.end, item.child("output").location, context);
+  else if (item.has("end"))
+    keys.output = {0};
   check_table(keys, vocabulary, item.child("table").location, context);
   if (const double steps = keys.end / keys.step.length;
       keys.step.mode == settings::StepMode::fixed && steps > max_steps)
@@ -114,7 +117,8 @@ Value<Time> time_table(const Vocabulary& vocabulary) {
   auto integrator = choice("integrator", vocabulary.integrators);
   integrator.brief = "integrator; see `creepcontact list integrators`";
   const auto keys = table<TimeKeys>({
-      field<TimeKeys>("end", &TimeKeys::end, number(greater(0)), "end of the run, which starts at t = 0",
+      field<TimeKeys>("end", &TimeKeys::end, number(at_least(0)),
+                      "end of the run, which starts at t = 0; 0: only the state at the start",
                       Presence::required)
           .in("time"),
       field<TimeKeys>("integrator", &TimeKeys::integrator, integrator, "method of time integration"),

@@ -34,10 +34,11 @@ bool Assembly::creeps() const {
                              [](const contact::Pair& pair) { return pair.gasket && pair.gasket->kind().creep; });
 }
 
-void Assembly::update(double t, std::vector<mechanics::BodyConditions>& conditions) const {
+void Assembly::update(double t, std::vector<mechanics::BodyConditions>& conditions,
+                      std::span<const std::vector<double>> temperatures) const {
   conditions.resize(bodies_.size());
   together(team(), [&] {
-    for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b].update(t, conditions[b]);
+    for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b].update(t, conditions[b], temperatures.empty() ? std::span<const double>() : temperatures[b]);
   });
 }
 

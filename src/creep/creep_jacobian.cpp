@@ -5,6 +5,7 @@
 
 #include "creepcontact/creep/creep_system.hpp"
 #include "gasket_creep.hpp"
+#include "heat_coupling.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -23,6 +24,7 @@ void CreepSystem::jacobian_times(double t, std::span<const double> y, std::span<
                                  std::span<double> product) {
   const Evaluation& at = evaluate_step(t, y);
   ++jacobian_products_;
+  if (heat_) return heat_products(at, y, v, product);
   const Eigen::VectorXd multiplier = solver_.linearized(at.equilibrium, strains(v), stress_change_);
   const auto lap = watch_.lap(Part::material);
   laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
@@ -50,6 +52,7 @@ void CreepSystem::prepare_preconditioner(double t, std::span<const double> y) {
     if (!local_[b]) preconditioners_[b].linearize(laws_.state(b, at, y), step_tangents()[b]);
   });
   gasket_jacobians_ = gaskets_->jacobians(at.equilibrium, y);
+  if (heat_) heat_->rates().prepare(at.time, laws_.layout().temperatures(y), joint_values(assembly(), at.equilibrium));
   local_gamma_ = 0;
 }
 
@@ -66,6 +69,8 @@ void CreepSystem::precondition(double gamma, std::span<const double> r, std::spa
     local_[b]->solution(right, {}, result);
   });
   gaskets_->precondition(gasket_jacobians_, gasket_flexibility(), gamma, r, z);
+  if (heat_)
+    heat_->rates().precondition(gamma, laws_.layout().temperatures(r), laws_.layout().temperatures(z));
 }
 
 Eigen::VectorXd CreepSystem::gasket_flexibility() const {
@@ -87,6 +92,9 @@ void CreepSystem::precondition_once(double t, std::span<const double> y, double 
       PointPreconditioner::apply_once(state, step_tangents()[b], gamma, right, result);
   });
   gaskets_->precondition(gaskets_->jacobians(at.equilibrium, y), gasket_flexibility(), gamma, r, z);
+  if (!heat_) return;
+  heat_->rates().prepare(at.time, laws_.layout().temperatures(y), joint_values(assembly(), at.equilibrium));
+  heat_->rates().precondition(gamma, laws_.layout().temperatures(r), laws_.layout().temperatures(z));
 }
 
 void CreepSystem::prepare_tangent(double t, std::span<const double> y, double gamma) {

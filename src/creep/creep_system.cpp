@@ -11,6 +11,7 @@
 #include "creepcontact/numerics/long_vectors.hpp"
 #include "flow_vector.hpp"
 #include "gasket_creep.hpp"
+#include "heat_coupling.hpp"
 #include "vector_views.hpp"
 
 namespace creepcontact::creep {
@@ -75,6 +76,7 @@ CreepSystem::CreepSystem(EquilibriumSolver& solver, const ElasticSurvey& survey,
       yield_steps_(solver.assembly()),
       history_(solver.initial_history()),
       gaskets_(std::make_unique<GasketCreep>(solver.assembly(), min_gasket_strains(scale_, tolerance))) {
+  if (assembly().heat() != nullptr) heat_ = std::make_unique<HeatCoupling>(assembly());
   preconditioners_.resize(laws_.points().size());
   for (const MaterialPoints& points : laws_.points())
     local_.push_back(points.has_closed_form() ? nullptr : std::make_unique<MaterialTangent>(points));
@@ -89,6 +91,7 @@ void CreepSystem::begin_segment(double begin, double end) {
   history_.plastic.before.clear();
   history_.plastic.smooth_since = begin;
   history_.gaskets.begin_segment();
+  if (heat_) heat_->rates().problem().set_segment(begin, end);
 }
 
 double CreepSystem::load_time(double t) const {
@@ -101,11 +104,18 @@ CreepStrains CreepSystem::strains(std::span<const double> y) {
   return {views_, closures_};
 }
 
+CreepStrains CreepSystem::strains(double t, std::span<const double> y) {
+  const CreepStrains creep = strains(y);
+  if (!heat_) return creep;
+  temperatures_ = heat_->at_points(t, laws_.layout().temperatures(y));
+  return {creep.bodies(), creep.closures(), temperatures_};
+}
+
 void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
   into.valid = into.has_tangents = false;
   into.time = t;
   numerics::copy(y, into.y);
-  const CreepStrains creep = strains(into.y);
+  const CreepStrains creep = strains(t, into.y);
   try {
     if (path_.contains(t))
       path_.solve(solver_, t, creep, into.equilibrium);
@@ -118,6 +128,8 @@ void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
   } catch (const SolverError& error) {
     throw RecoverableError(error.what());
   }
+  into.temperatures.clear();
+  if (heat_) into.temperatures = heat_->completed(t, laws_.layout().temperatures(std::span<const double>(into.y)));
   into.laws.resize(laws_.points().size());
   together(team(), [&] {
     require_finite_stress(assembly(), into.equilibrium);
@@ -204,6 +216,9 @@ void CreepSystem::rate(double t, std::span<const double> y, std::span<double> ra
       points.rate(laws_.state(b, at, y), laws_.layout().part(b, rate), tangents);
     });
     gaskets_->rate(at.equilibrium, y, rate);
+    if (heat_)
+      heat_->rates().rate(at.time, laws_.layout().temperatures(y), joint_values(assembly(), at.equilibrium),
+                          laws_.layout().temperatures(rate));
     step_.has_tangents = step_.has_tangents || with_tangents;
     if (!numerics::is_finite(rate)) throw RecoverableError(describe_overflow(at, rate));
   });
@@ -268,7 +283,7 @@ bool CreepSystem::is_near(double t, std::span<const double> y, const Evaluation&
 double CreepSystem::excursion_at_end(std::span<const double> y) {
   constexpr double unknown = 1;
   try {
-    return solver_.yielding_excursion(load_time(segment_end_), strains(y), history_);
+    return solver_.yielding_excursion(load_time(segment_end_), strains(load_time(segment_end_), y), history_);
   } catch (const SolverError&) {  // the steps will tell
     return unknown;
   } catch (const ModelError&) {
@@ -286,7 +301,7 @@ void CreepSystem::pass_breakpoint(double t, std::span<const double> y) {
   if (solver_.has_preload_due(t, history_)) {
     forget_evaluations();
     step_.y.assign(y.begin(), y.end());
-    solver_.apply_preloads(t, load_time(t), strains(step_.y), history_);
+    solver_.apply_preloads(t, load_time(t), strains(load_time(t), step_.y), history_);
   }
   if (has_yielding() && settle_flow(t, y, before)) return;
   if (has_friction() || has_gaskets()) accept(t, y);
@@ -298,7 +313,7 @@ void CreepSystem::settle_flow(double t, std::span<const double> y) {
 
 bool CreepSystem::settle_flow(double t, std::span<const double> y, const History& before) {
   const Evaluation& at = evaluate_step(t, y);
-  const CreepStrains creep = strains(step_.y);
+  const CreepStrains creep = strains(load_time(t), step_.y);
   if (!at.equilibrium.plastic.flows) {
     solver_.settle(at.equilibrium, creep, history_);
     return false;
@@ -333,7 +348,7 @@ void CreepSystem::accept(double t, std::span<const double> y) {
       if (!is_near(load_time(t), y, step_)) evaluate_step(t, y);
   }
   const double begin = std::max(0.0, segment_begin_);
-  path_ = LastPath(solver_.accept(step_.equilibrium, depends_on_path() ? strains(step_.y) : CreepStrains(views_),
+  path_ = LastPath(solver_.accept(step_.equilibrium, depends_on_path() ? strains(load_time(t), step_.y) : CreepStrains(views_),
                                   history_, {tolerance_, std::isfinite(segment_end_) ? segment_end_ - begin : 0.0}));
   rate_has_jumped_ = path_.has_substeps() && jumps(team(), step_.equilibrium, history_, tolerance_);
   const auto lap = watch_.lap(Part::material);

@@ -70,6 +70,7 @@ Distribution::Distribution(const Assembly& whole, const Team& team, const RankOf
     parts.push_back(body.part(elements, loaded_nodes(body, rank_of_element[b], team.rank())));
   }
   own_.emplace(std::move(parts), whole.pairs(), Assembly::Remake{}, team);
+  own_->share_heat(whole);
 }
 
 std::vector<double> Distribution::gather_points(std::size_t body, std::size_t width,

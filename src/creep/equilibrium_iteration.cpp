@@ -60,6 +60,10 @@ void EquilibriumSolver::refactorize(const std::vector<mechanics::BodyConditions>
     if (assembly_.team().any(interface_.factored(b).stiffness_ratio(at[b]) != std::pair(1.0, 1.0)))
       changed.push_back(b);
   interface_.flexibility().refactorize(changed, at);
+  if (assembly_.heat() != nullptr) {
+    factor_temperatures_.resize(work_.size());
+    for (const std::size_t b : changed) factor_temperatures_[b] = at[b].temperature;
+  }
   if (contact_solver_) contact_solver_->flexibility_changed();
   active_set_.flexibility_changed();
   counters_.factorizations += std::ssize(changed);
@@ -68,7 +72,7 @@ void EquilibriumSolver::refactorize(const std::vector<mechanics::BodyConditions>
 
 void EquilibriumSolver::solve(double t, CreepStrains creep, const History& history, Equilibrium& into) {
   into.time = t;
-  assembly_.update(t, into.conditions);
+  assembly_.update(t, into.conditions, creep.temperatures());
   resize(into);
   equilibrate_yielding(creep, history, {}, into);
   if (history.friction.slip.size() > 0) into.friction = slip_until(into, history);

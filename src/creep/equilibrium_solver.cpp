@@ -24,9 +24,11 @@ struct SolverState {
   std::vector<double> factor_times;  // per body: the time whose stiffness is factored
   std::int64_t factors = 0;          // EquilibriumSolver::factors_
   bool sweeps_given_up = false;
+  std::vector<std::vector<double>> factor_temperatures;  // EquilibriumSolver::factor_temperatures_
   static constexpr auto members =
       std::tuple{Member{"factor_times", &SolverState::factor_times}, Member{"factors", &SolverState::factors},
-                 Member{"sweeps_given_up", &SolverState::sweeps_given_up}};
+                 Member{"sweeps_given_up", &SolverState::sweeps_given_up},
+                 Member{"factor_temperatures", &SolverState::factor_temperatures}};
 };
 
 }  // namespace
@@ -180,6 +182,7 @@ RunCounters EquilibriumSolver::counters() const {
 void EquilibriumSolver::save(const History& history, Memory& memory) const {
   SolverState state;
   state.factors = factors_;
+  state.factor_temperatures = factor_temperatures_;
   state.sweeps_given_up = contact_solver_ && contact_solver_->has_given_up_sweeps();
   for (std::size_t b = 0; b < work_.size(); ++b) state.factor_times.push_back(interface_.factored(b).time());
   memory.save("solver", state);
@@ -193,7 +196,10 @@ void EquilibriumSolver::restore(const Memory& memory, History& history) {
   if (state.sweeps_given_up && contact_solver_) contact_solver_->give_up_sweeps();
   if (stiffness_changes_) {
     std::vector<mechanics::BodyConditions> at;
-    for (std::size_t b = 0; b < work_.size(); ++b) at.push_back(assembly_.bodies()[b].at(state.factor_times.at(b)));
+    for (std::size_t b = 0; b < work_.size(); ++b)
+      assembly_.bodies()[b].update(state.factor_times.at(b), at.emplace_back(),
+                                   state.factor_temperatures.empty() ? std::span<const double>()
+                                                                     : state.factor_temperatures.at(b));
     refactorize(at);
   }
   std::erase_if(history.accepted, [&](const History::Accepted& step) { return step.factors != state.factors; });

@@ -15,6 +15,7 @@ constexpr double min_share_of_elastic = 1e-3;
 /// Scale relative to the change of a life per cycle: an error of half a per cent at a tolerance of 1e-4.
 constexpr double cycle_resolution = 50;
 constexpr double strain_of_unloaded_gaskets = 1e-3;  // where nothing is known of its pressures
+constexpr double share_of_range = 0.25;  // of temperatures: with a tolerance of 1e-3 errors of 1e-4 of their range
 constexpr double steady = 0.1;                       // relative changes up to here leave the scale as it is
 
 /// Young's modulus at the first point, from the process that has it.
@@ -41,6 +42,7 @@ ErrorScale::ErrorScale(const Assembly& assembly, const std::vector<double>& elas
       for (int k = 0; k < law->n_internal(); ++k, ++column)
         if (law->internal_kind(k) == material::InternalKind::life) lives_.push_back({b, column});
   }
+  set_temperatures();
   if (elastic_stress.empty()) return;
   const double largest = *std::ranges::max_element(elastic_stress);
   least_ = min_share_of_elastic * largest;
@@ -149,8 +151,22 @@ void ErrorScale::set_gasket(std::size_t pair, double strain) {
   }
 }
 
+void ErrorScale::set_temperatures() {
+  const HeatModel* heat = assembly_.heat();
+  if (heat == nullptr) return;
+  double scale = share_of_range * heat->range;
+  for (std::size_t b = 0; b < strain_.size(); ++b) {
+    const material::Material& material = assembly_.bodies()[b].material();
+    const double T = material.reference_temperature;
+    const double expansion = material.thermal_expansion.strains(T + 1, T).cwiseAbs().maxCoeff();
+    if (strain_[b] > 0 && expansion > 0) scale = std::min(scale, strain_[b] / expansion);
+  }
+  std::ranges::fill(layout_.temperatures(std::span(values_)), scale);
+}
+
 void ErrorScale::set(std::size_t body, double strain) {
   strain_[body] = strain;
+  set_temperatures();
   std::vector<double> scales = of_point(body);
   for (const Life& life : lives_)
     if (life.body == body) scales[life.column] = life.scale;

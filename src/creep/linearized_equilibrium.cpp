@@ -38,8 +38,8 @@ struct ClosedRows {
 }  // namespace
 
 Eigen::VectorXd EquilibriumSolver::linearized(const Equilibrium& at, CreepStrains creep_change,
-                                              std::vector<std::vector<double>>& stress) {
-  Eigen::VectorXd multiplier = linearized_elastic(at, creep_change, stress);
+                                              std::vector<std::vector<double>>& stress, Eigen::VectorXd* gap) {
+  Eigen::VectorXd multiplier = linearized_elastic(at, creep_change, stress, gap);
   if (!at.plastic.flows) return multiplier;
   const PlasticTangent tangent(assembly_, at);
   if (tangent.is_elastic()) return multiplier;
@@ -50,7 +50,7 @@ Eigen::VectorXd EquilibriumSolver::linearized(const Equilibrium& at, CreepStrain
 }
 
 Eigen::VectorXd EquilibriumSolver::linearized_elastic(const Equilibrium& at, CreepStrains creep_change,
-                                                      std::vector<std::vector<double>>& stress) {
+                                                      std::vector<std::vector<double>>& stress, Eigen::VectorXd* gap) {
   const std::size_t n_bodies = work_.size();
   std::vector<FactoredSide> sides;
   {
@@ -83,6 +83,10 @@ Eigen::VectorXd EquilibriumSolver::linearized_elastic(const Equilibrium& at, Cre
       interface_.rows().add_rigid_motion(b, change.rigid, work_[b].displacement);
       stress[b].resize(6 * body.discretization().n_points());
       body.discretization().stress(work_[b].displacement, factored.elastic(), creep_change[b], stress[b]);
+    }
+    if (gap != nullptr) {
+      *gap = interface_.problem().rigid * change.rigid;
+      for (std::size_t b = 0; b < n_bodies; ++b) interface_.rows().add_gaps(b, work_[b].free, *gap);
     }
     multiplier = std::move(change.multiplier);
     if (correction == corrections) break;

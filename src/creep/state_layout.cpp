@@ -14,6 +14,7 @@ StateLayout::StateLayout(const Assembly& assembly) {
     stride_.push_back(body.material().n_state());
     offset_.push_back(offset_.back() + stride_.back() * body.discretization().n_points());
   }
+  if (assembly.heat() != nullptr) n_temperatures_ = assembly.heat()->start.size();
   if (assembly.team().rank() != 0) return;
   for (const contact::Pair& pair : assembly.pairs()) n_gaskets_ += gasket_stride(pair) * pair.coupling.nodes.size();
 }

@@ -2,6 +2,7 @@
 /// Arrays as vectors of linear algebra.
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "creepcontact/base/index.hpp"
@@ -13,6 +14,12 @@ inline Eigen::Map<Eigen::VectorXd> vector(std::vector<double>& values) {
 }
 inline Eigen::Map<const Eigen::VectorXd> vector(const std::vector<double>& values) {
   return {values.data(), static_cast<Index>(values.size())};
+}
+inline Eigen::Map<Eigen::VectorXd> vector(std::span<double> values) {
+  return {values.data(), std::ssize(values)};
+}
+inline Eigen::Map<const Eigen::VectorXd> vector(std::span<const double> values) {
+  return {values.data(), std::ssize(values)};
 }
 
 }  // namespace creepcontact::creep

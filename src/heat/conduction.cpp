@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <numeric>
 
@@ -20,6 +21,8 @@ namespace {
 constexpr int most_iterations = 300;
 constexpr double steady_tolerance = 1e-12;  // of the largest flow at a node
 constexpr double least_part = 1e-4;         // of a Newton step
+constexpr int most_stalled = 4;             // iterations in which the residual has not halved
+constexpr double rounding_step = 1e-8;      // of the temperatures
 constexpr std::int32_t not_stored = -1;
 
 double norm(std::span<const double> values) {
@@ -128,6 +131,7 @@ struct Conduction::Impl {
   }
 
   void evaluate(const Moment& at, bool with_matrix) {
+    std::exception_ptr failure;  // none may leave a thread
     numerics::for_each_index(patches.size(), numerics::parallel_elements, [&](std::size_t p) {
       const Patch& patch = *patches[p];
       const auto n = std::ssize(patch.nodes);
@@ -137,8 +141,14 @@ struct Conduction::Impl {
         own_rate[i] = T_rate[patch.nodes[static_cast<std::size_t>(i)]];
       }
       residuals[p].resize(n);
-      patch.evaluate(at, own, own_rate, residuals[p], with_matrix ? &matrices[p] : nullptr);
+      try {
+        patch.evaluate(at, own, own_rate, residuals[p], with_matrix ? &matrices[p] : nullptr);
+      } catch (...) {
+#pragma omp critical
+        failure = std::current_exception();
+      }
     });
+    if (failure) std::rethrow_exception(failure);
   }
 
   /// @param scale  not empty: sums of the absolute values
@@ -153,7 +163,7 @@ struct Conduction::Impl {
       }
   }
 
-  void factorize() {
+  void assemble() {
     std::fill_n(matrix.valuePtr(), matrix.nonZeros(), 0.0);
     std::size_t k = 0;
     for (std::size_t p = 0; p < patches.size(); ++p) {
@@ -164,6 +174,10 @@ struct Conduction::Impl {
     }
     for (std::size_t u = 0; u < given.size(); ++u)
       if (given[u] >= 0) matrix.valuePtr()[matrix.outerIndexPtr()[u]] = 1;  // the diagonal is the first of its column
+  }
+
+  void factorize() {
+    assemble();
     if (!solver) {
       std::vector<std::int64_t> block(places.size());
       std::iota(block.begin(), block.end(), std::int64_t{0});
@@ -217,9 +231,20 @@ std::size_t Conduction::size() const {
 std::size_t Conduction::n_factorizations() const {
   return impl_->n_factorizations;
 }
+const std::vector<std::vector<int>>& Conduction::unknown_of() const {
+  return impl_->unknown_of;
+}
 std::vector<double> Conduction::unknowns(const Function& temperature) const {
   std::vector<double> result;
   for (const Vector3& x : impl_->places) result.push_back(temperature({.x = x[0], .y = x[1], .z = x[2]}));
+  return result;
+}
+
+std::vector<double> Conduction::unknowns(std::span<const std::vector<double>> at_nodes) const {
+  std::vector<double> result(size());
+  for (std::size_t b = 0; b < at_nodes.size(); ++b)
+    for (std::size_t i = 0; i < at_nodes[b].size(); ++i)
+      result[static_cast<std::size_t>(impl_->unknown_of[b][i])] = at_nodes[b][i];
   return result;
 }
 
@@ -253,7 +278,7 @@ void Conduction::solve(std::span<double> x) {
   impl_->solve(x);
 }
 
-void Conduction::steady(double t, std::span<double> y) {
+void Conduction::steady(double t, std::span<double> y, const ContactAtNodes& contact) {
   Impl& own = *impl_;
   const bool radiates = std::ranges::any_of(
       own.definition.flows, [](const SurfaceFlow& flow) { return flow.kind == SurfaceFlow::Kind::radiation; });
@@ -261,12 +286,14 @@ void Conduction::steady(double t, std::span<double> y) {
   const auto evaluate = [&](std::span<double> at, bool with_matrix) {
     own.complete(t, at, {});
     std::copy_n(own.T.data(), size(), at.begin());
-    own.evaluate({.t = t}, with_matrix);
+    own.evaluate({.t = t, .contact = contact}, with_matrix);
     own.gather(residual, scale);
     for (std::size_t u = 0; u < size(); ++u)
       if (own.given[u] >= 0) residual[u] = 0;
     return norm(residual);
   };
+  double smallest = std::numeric_limits<double>::infinity();
+  int stalled = 0;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const double before = evaluate(y, true);
     if (!std::isfinite(before)) throw SolverError(fmt::format("heat: no finite heat flows at t = {:.6g}", t));
@@ -285,7 +312,10 @@ void Conduction::steady(double t, std::span<double> y) {
       if (part < least_part) break;
     }
     std::ranges::copy(trial, y.begin());
-    if (size_of_step <= 1e-15 * norm(y)) return;  // rounding
+    // Flows across thin elements are far larger than those along them, and leave their rounding.
+    stalled = before > smallest / 2 ? stalled + 1 : 0;
+    smallest = std::min(smallest, before);
+    if (stalled >= most_stalled && size_of_step <= rounding_step * norm(y)) return;
   }
   throw SolverError(
       fmt::format("heat: no steady temperatures found at t = {:.6g} in {} iterations; is one of the functions of T "
@@ -293,12 +323,13 @@ void Conduction::steady(double t, std::span<double> y) {
                   t, most_iterations));
 }
 
-void Conduction::make_consistent(double t, std::span<double> y, std::span<double> rate) {
+void Conduction::make_consistent(double t, std::span<double> y, std::span<double> rate,
+                                 const ContactAtNodes& contact) {
   Impl& own = *impl_;
   std::ranges::fill(rate, 0.0);
   own.complete(t, y, rate);
   std::copy_n(own.T.data(), size(), y.begin());
-  own.evaluate({.t = t, .conduction = 0, .capacity = 1}, true);
+  own.evaluate({.t = t, .conduction = 0, .capacity = 1, .contact = contact}, true);
   std::vector<double> residual(size());
   own.gather(residual);
   for (std::size_t u = 0; u < size(); ++u)
@@ -308,12 +339,42 @@ void Conduction::make_consistent(double t, std::span<double> y, std::span<double
   for (std::size_t u = 0; u < size(); ++u) rate[u] = own.given[u] >= 0 ? own.given_rate(u, t) : -residual[u];
 }
 
-Balance Conduction::balance(double t, std::span<const double> y, std::span<const double> rate) const {
+bool Conduction::is_given(std::size_t unknown) const {
+  return impl_->given[unknown] >= 0;
+}
+double Conduction::given_value(std::size_t unknown, double t) const {
+  return impl_->given_value(unknown, t);
+}
+double Conduction::given_rate(std::size_t unknown, double t) const {
+  return impl_->given_rate(unknown, t);
+}
+bool Conduction::has_constant_capacity() const {
+  return std::ranges::none_of(definition().bodies,
+                              [](const Conductor& body) { return body.capacity.depends_on_temperature(); });
+}
+
+void Conduction::inflow(double t, std::span<const double> y, const ContactAtNodes& contact, std::span<double> into) {
+  impl_->complete(t, y, {});
+  impl_->evaluate({.t = t, .contact = contact}, false);
+  impl_->gather(into);
+  for (std::size_t u = 0; u < size(); ++u) into[u] = is_given(u) ? 0 : -into[u];
+}
+
+const linalg::SparseMatrix& Conduction::matrix(double t, std::span<const double> y, const ContactAtNodes& contact,
+                                               double conduction, double capacity) {
+  impl_->complete(t, y, {});
+  impl_->evaluate({.t = t, .conduction = conduction, .capacity = capacity, .contact = contact}, true);
+  impl_->assemble();
+  return impl_->matrix;
+}
+
+Balance Conduction::balance(double t, std::span<const double> y, std::span<const double> rate,
+                            const ContactAtNodes& contact) const {
   Impl& own = *impl_;
   const Definition& all = own.definition;
   Balance result;
   own.complete(t, y, rate);
-  own.evaluate({.t = t}, false);
+  own.evaluate({.t = t, .contact = contact}, false);
   std::vector<double> total(size());
   own.gather(total);
   result.given.assign(all.given.size(), 0.0);

@@ -1,17 +1,21 @@
 #include "patches.hpp"
 
 #include <Eigen/LU>
+#include <fmt/format.h>
+
 #include <cmath>
 #include <map>
 #include <utility>
 
+#include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/tangents.hpp"
 
 namespace creepcontact::heat {
 namespace {
 
-constexpr double perfect = 1000;  // times the conductivity over the size of an element
+constexpr double perfect = 1000;      // times the conductivity over the size of an element
+constexpr double least_weight = 1e-9;  // of the corners that are nodes of contact
 
 /// Exact for products of two shape functions on undistorted elements, with the radius of axisymmetric sections.
 fem::QuadratureRule rule_of(mesh::CellType type) {
@@ -70,6 +74,14 @@ std::vector<int> unknowns(std::span<const std::int64_t> nodes, const std::vector
   return result;
 }
 
+/// @param axes  null: those of space
+Matrix3 conductivity_along(const Conductor& body, double T, const Matrix3* axes) {
+  const std::vector<Function>& along = body.conductivity;
+  if (along.size() == 1) return along.front()({.T = T}) * Matrix3::Identity();
+  const Matrix3 own = Vector3(along[0]({.T = T}), along[1]({.T = T}), along[2]({.T = T})).asDiagonal();
+  return axes == nullptr ? own : *axes * own * axes->transpose();
+}
+
 /// A cell of a body: conduction and capacity.
 class Cell final : public Patch {
  public:
@@ -119,12 +131,7 @@ class Cell final : public Patch {
  private:
   double capacity(double T) const { return body_.capacity({.T = T}) / time_unit_; }
   Matrix3 conductivity(Index point, double T) const {
-    const std::vector<Function>& along = body_.conductivity;
-    if (along.size() == 1) return along.front()({.T = T}) * Matrix3::Identity();
-    Matrix3 own = Vector3(along[0]({.T = T}), along[1]({.T = T}), along[2]({.T = T})).asDiagonal();
-    if (axes_.empty()) return own;
-    const Matrix3& axes = axes_[static_cast<std::size_t>(point)];
-    return axes * own * axes.transpose();
+    return conductivity_along(body_, T, axes_.empty() ? nullptr : &axes_[static_cast<std::size_t>(point)]);
   }
 
   /// @param T  at the points @param matrix  overwritten
@@ -221,21 +228,13 @@ class InterfaceFaces final : public Patch {
     for (const contact::FacingFaces::Point& point : faces_.points) {
       jump << point.first, -point.second;
       const double mean = (point.first.dot(T.head(n_first)) + point.second.dot(T.tail(T.size() - n_first))) / 2;
-      const double h = point.area * conductance(arguments(point.position, at.t, mean));
+      const double h = point.area * conductance(interface_, faces_, point, {&first_, &second_}, at, mean);
       residual.noalias() += h * jump.dot(T) * jump;
       if (matrix != nullptr) matrix->noalias() += at.conduction * h * jump * jump.transpose();
     }
   }
 
  private:
-  double conductance(const Arguments& at) const {
-    if (!interface_.is_perfect) return interface_.conductance(at);
-    double k = 0;
-    for (const Conductor* body : {&first_, &second_})
-      for (const Function& one : body->conductivity) k = std::max(k, one(at));
-    return perfect * k / faces_.size;
-  }
-
   const Interface& interface_;
   const contact::FacingFaces& faces_;
   const Conductor &first_, &second_;
@@ -256,6 +255,54 @@ Patches patches_of_cells(const Conductor& body, const std::vector<int>& unknown_
 }
 
 }  // namespace
+
+Matrix3 conductivity(const Conductor& body, double T, const Vector3& place) {
+  if (!body.axes || body.conductivity.size() == 1) return conductivity_along(body, T, nullptr);
+  const Matrix3 axes = body.axes->at(place);
+  return conductivity_along(body, T, &axes);
+}
+
+double conductance(const Interface& interface, const contact::FacingFaces& faces,
+                   const contact::FacingFaces::Point& point, const std::array<const Conductor*, 2>& bodies,
+                   const Moment& at, double T) {
+  Arguments here = arguments(point.position, at.t, T);
+  if (interface.is_perfect) {
+    double k = 0;
+    for (const Conductor* body : bodies)
+      for (const Function& one : body->conductivity) k = std::max(k, one(here));
+    return perfect * k / faces.size;
+  }
+  if (!interface.conductance.depends_on_contact() || interface.contact_nodes.empty())
+    return interface.conductance(here);
+  if (!at.contact.pressure.empty()) {
+    double sum = 0, p = 0, gap = 0;
+    for (Index i = 0; i < point.hats.size(); ++i) {
+      const int node = interface.contact_nodes[static_cast<std::size_t>(faces.first_nodes[static_cast<std::size_t>(i)])];
+      if (node < 0) continue;
+      sum += point.hats[i];
+      p += point.hats[i] * at.contact.pressure[static_cast<std::size_t>(node)];
+      gap += point.hats[i] * at.contact.gap[static_cast<std::size_t>(node)];
+    }
+    if (!(sum > least_weight)) return 0;
+    here.p = std::max(0.0, p / sum);
+    here.gap = std::max(0.0, gap / sum);
+  }
+  double h = 0;
+  if (const double p = here.p; p >= interface.linear_below) {
+    h = interface.conductance(here);
+  } else {
+    here.p = 0;
+    const double at_zero = interface.conductance(here);
+    here.p = interface.linear_below;
+    h = at_zero + (interface.conductance(here) - at_zero) * p / interface.linear_below;
+    here.p = p;
+  }
+  if (h >= 0 && std::isfinite(h)) return h;
+  throw ModelError(
+      fmt::format("contact '{}': the conductance is {:.6g} at p = {:.6g}, gap = {:.6g}, T = {:.6g}, t = {:.6g}; it "
+                  "must be a number that is not negative",
+                  interface.name, h, here.p, here.gap, here.T, here.t));
+}
 
 Patches cell_patches(const Conductor& body, const std::vector<int>& unknown_of, double time_unit) {
   return patches_of_cells(body, unknown_of, [&](mesh::CellType type, std::span<const std::int64_t> cell) {

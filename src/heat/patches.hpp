@@ -2,6 +2,7 @@
 /// Parts of the equations of heat conduction: cells, faces and pairs of faces, each with the temperatures of its nodes.
 
 #include <Eigen/Core>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Moment {
   double t = 0;
   /// Parts of the matrix: those of temperatures times `conduction`, those of rates times `capacity`.
   double conduction = 1, capacity = 0;
+  ContactAtNodes contact = {};
 };
 
 /// One part. Its nodes are unknowns, and may repeat.
@@ -26,6 +28,14 @@ class Patch {
                         Eigen::VectorXd& residual, Eigen::MatrixXd* matrix) const = 0;
   std::vector<int> nodes;
 };
+
+/// Of a body at a place.
+Matrix3 conductivity(const Conductor& body, double T, const Vector3& place);
+/// At a point of two faces of an interface. @param bodies  the first and the second one @param T  mean temperature there
+/// @throws ModelError if it is no number, or negative
+double conductance(const Interface& interface, const contact::FacingFaces& faces,
+                   const contact::FacingFaces::Point& point, const std::array<const Conductor*, 2>& bodies,
+                   const Moment& at, double T);
 
 using Patches = std::vector<std::unique_ptr<Patch>>;
 

@@ -89,12 +89,21 @@ BodyConditions Body::at(double t) const {
   return conditions;
 }
 
+std::vector<double> Body::temperature_at_nodes(double t) const {
+  if (!impl_->temperature) return {};
+  const std::span<const Vector3> nodes = std::span(impl_->mesh.nodes).first(impl_->mesh.n_cell_nodes());
+  std::vector<double> result(nodes.size());
+  TemperatureMemo memo;
+  impl_->temperature->on(impl_->mesh).at(nodes)->evaluate(t, result, memo);
+  return result;
+}
+
 bool Body::stiffness_changes() const {
   return impl_->temperature && impl_->temperature->depends_on_time() && moduli_depend_on_temperature(impl_->material);
 }
 
-void Body::update(double t, BodyConditions& at) const {
-  if (at.updated_to == t) return;
+void Body::update(double t, BodyConditions& at, std::span<const double> temperature) const {
+  if (at.updated_to == t && temperature.empty()) return;
   const bool first = !at.updated_to.has_value();
   at.updated_to.reset();  // stays so if something below throws
   at.time = t;
@@ -104,7 +113,10 @@ void Body::update(double t, BodyConditions& at) const {
   const bool new_temperature = impl_->temperature && (first || impl_->temperature->depends_on_time());
   if (new_temperature) {
     at.temperature.resize(n_points);
-    impl_->temperature_at_points->evaluate(t, at.temperature, at.memo);
+    if (temperature.empty())
+      impl_->temperature_at_points->evaluate(t, at.temperature, at.memo);
+    else
+      std::ranges::copy(temperature, at.temperature.begin());
     if (!material.thermal_expansion.is_zero()) expand(material, impl_->axes, at);
   }
   if (first || (new_temperature && moduli_depend_on_temperature(material))) {

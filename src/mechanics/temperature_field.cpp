@@ -167,7 +167,7 @@ class ScatteredAtPositions final : public TemperatureAtPositions {
 struct OfPoints final : TemperatureField::Definition {
   explicit OfPoints(ScatteredTemperatures given) : field(std::make_shared<Scattered>(std::move(given))) {
     const ScatteredTemperatures& kept = field->given;
-    time = kept.times.size() > 1;
+    time = kept.times.size() > 1 || kept.is_of_state;
     Checksum sum;
     for (const Vector3& x : kept.points) sum.add(x.data(), 3);
     sum.add(kept.times.data(), kept.times.size());
@@ -213,7 +213,7 @@ struct OfPoints final : TemperatureField::Definition {
   std::vector<double> breakpoints(double end) const override {
     std::vector<double> result;
     if (!time) return result;
-    if (field->is_cubic()) {
+    if (field->is_cubic() || field->given.is_of_state) {
       std::ranges::copy_if(field->given.kinks, std::back_inserter(result), [=](double t) { return t <= end; });
       return result;
     }

@@ -21,6 +21,9 @@ namespace {
 constexpr double same_node = 1e-9;  // of the size of the model
 constexpr int range_samples = 64;   // of functions in time
 constexpr std::size_t course_places = 5;
+constexpr double linear_pressure = 1e-7;  // of Young's modulus: at most where conductances are made linear
+constexpr double steep = 1e-6;            // of that pressure: where an infinite slope shows
+constexpr double too_steep = 1.5;
 
 /// Errors of an entry of [heat] name its list and place.
 template <typename Work>
@@ -30,6 +33,16 @@ void for_entries(const auto& entries, const char* list, const Work& work) {
     } catch (const ModelError& error) {
       throw ModelError(fmt::format("{}[{}]: {}", list, i, error.what()));
     }
+}
+
+/// Conductances such as p^0.95 have an infinite slope at p = 0, of which no integrator can make anything.
+void bound_slope(heat::Interface& interface, double pressure) {
+  const auto at = [&](double p) { return interface.conductance({.p = p}); };
+  const double far = (at(pressure) - at(0)) / pressure, near = (at(steep * pressure) - at(0)) / (steep * pressure);
+  if (!(std::abs(near) > too_steep * std::abs(far))) return;
+  interface.linear_below = pressure;
+  log::info("contact '{}': the slope of the conductance is infinite at p = 0; below p = {:.3g} it is taken linear",
+            interface.name, pressure);
 }
 
 class HeatProblem {
@@ -52,18 +65,31 @@ class HeatProblem {
           "heat through faces of a sector whose meshes differ is not possible; mesh the second face as the first one");
   }
 
-  mechanics::TemperatureField solve() {
+  ComputedTemperature solve() {
     heat::Conduction problem(std::move(all_));
     std::vector<double> start = problem.unknowns(heat_.start.value_or(guess()));
     if (!heat_.start) problem.steady(0, start);
-    const bool is_steady = !heat_.start && !config::heat_changes_in_time(config_);
+    const bool is_coupled = config_.has_coupled_heat();
+    const bool is_steady = !heat_.start && !config::heat_changes_in_time(config_) && !is_coupled;
     const double end = is_steady ? 0 : config_.time.end;
     if (end > 0) tell_of_heat(heat_, problem, start, end);
     const Interval range = range_of_temperatures(problem, start);
+    if (is_coupled) {
+      heat::History at_start = heat::integrate(problem, start, {});
+      at_start.kinks = kinks(end);
+      log::info("heat: {} temperatures are part of the state, since conductances depend on contact", problem.size());
+      return {field(problem, at_start, true),
+              creep::HeatModel{.definition = problem.definition(),
+                               .is_state = true,
+                               .start = std::move(start),
+                               .start_is_steady = !heat_.start,
+                               .range = range.high - range.low,
+                               .unknown_of = problem.unknown_of()}};
+    }
     const double allowed = heat_.tolerance * std::max(range.high - range.low, std::numeric_limits<double>::min());
     const heat::History history = heat::integrate(problem, start, {end, kinks(end), allowed});
     tell(problem, history);
-    return field(problem, history);
+    return {field(problem, history, false), creep::HeatModel{.definition = problem.definition(), .is_steady = end == 0}};
   }
 
  private:
@@ -89,8 +115,11 @@ class HeatProblem {
 
   void add_flow(heat::SurfaceFlow::Kind kind, const config::Reference& on, const config::Reference& body,
                 const Function& factor, const Function& beyond) {
+    using Kind = heat::SurfaceFlow::Kind;
+    const char* const word = kind == Kind::film ? "film" : kind == Kind::flux ? "flux" : "radiation";
     for (const std::size_t b : bodies_on(on, body, face_dimension()))
-      all_.flows.push_back({kind, b, mesh::boundary_faces(meshes_[b], on.name), factor, beyond});
+      all_.flows.push_back({kind, b, mesh::boundary_faces(meshes_[b], on.name), factor, beyond,
+                            fmt::format("{} on '{}' of body '{}'", word, on.name, config_.bodies[b].name)});
   }
 
   void add_flows() {
@@ -109,11 +138,14 @@ class HeatProblem {
                radiation.ambient);
     });
     for_entries(heat_.sources, "sources", [&](const config::HeatSource& source) {
-      all_.sources.push_back({body_index(config_, source.body.name), source.value});
+      all_.sources.push_back({body_index(config_, source.body.name), source.value,
+                              fmt::format("source in body '{}'", source.body.name)});
     });
     for_entries(heat_.temperatures, "temperatures", [&](const config::HeatTemperature& given) {
       for (const std::size_t b : bodies_on(given.on, given.body, -1))
-        all_.given.push_back({b, mesh::group_nodes(meshes_[b], given.on.name), given.value});
+        all_.given.push_back(
+            {b, mesh::group_nodes(meshes_[b], given.on.name), given.value,
+             fmt::format("given temperature of '{}' on body '{}'", given.on.name, config_.bodies[b].name)});
     });
   }
 
@@ -213,7 +245,9 @@ class HeatProblem {
         problem.size(), low, high, history.n_steps, problem.n_factorizations(), history.times.size(), bytes / 1e6);
   }
 
-  mechanics::TemperatureField field(const heat::Conduction& problem, const heat::History& history) const {
+  /// @param is_of_state  the field is that at the start
+  mechanics::TemperatureField field(const heat::Conduction& problem, const heat::History& history,
+                                    bool is_of_state) const {
     Eigen::AlignedBox3d box;
     for (const Vector3& x : whole_.nodes) box.extend(x);
     const auto on_body = [&](std::size_t b, const std::vector<std::vector<double>>& all) {
@@ -232,8 +266,9 @@ class HeatProblem {
       if (history.times.size() > 1) {
         given.rates_before = on_body(b, history.rates_before);
         given.rates_after = on_body(b, history.rates_after);
-        given.kinks = history.kinks;
       }
+      given.kinks = history.kinks;
+      given.is_of_state = is_of_state;
       given.node_tolerance = same_node * box.diagonal().norm();
       std::vector<Vector3> nodes = given.points;
       result.push_back({std::move(nodes), std::make_shared<const mechanics::TemperatureField>(std::move(given))});
@@ -250,10 +285,35 @@ class HeatProblem {
 
 }  // namespace
 
-mechanics::TemperatureField computed_temperature(const config::Config& config, const mesh::Mesh& whole,
-                                                 const BodyMeshes& meshes, const SharedNodes& shared,
-                                                 const ModelLinks& links) {
+ComputedTemperature computed_temperature(const config::Config& config, const mesh::Mesh& whole,
+                                         const BodyMeshes& meshes, const SharedNodes& shared, const ModelLinks& links) {
   return HeatProblem(config, whole, meshes, shared, links).solve();
+}
+
+creep::HeatModel of_assembly(creep::HeatModel heat, const config::Config& config, const creep::Assembly& assembly) {
+  const std::vector<mechanics::Body>& bodies = assembly.bodies();
+  double least_modulus = std::numeric_limits<double>::infinity();
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    heat.definition.bodies[b].mesh = &bodies[b].mesh();
+    const material::Material& material = bodies[b].material();
+    least_modulus = std::min(least_modulus, material.young_modulus({.T = material.reference_temperature}));
+  }
+  for (heat::Interface& interface : heat.definition.interfaces) {
+    const auto found = std::ranges::find(assembly.pairs(), interface.name, &contact::Pair::name);
+    if (found == assembly.pairs().end()) continue;  // only the heat is computed
+    const contact::Pair& pair = *found;
+    const mesh::Mesh &slave = bodies[pair.slave_body].mesh(), &master = bodies[pair.master_body].mesh();
+    interface.first = pair.slave_body;
+    interface.second = pair.master_body;
+    interface.faces = contact::facing_faces(slave, mesh::boundary_faces(slave, pair.slave_surface), master,
+                                            mesh::boundary_faces(master, pair.master_surface), sector(config));
+    interface.contact_nodes.assign(slave.nodes.size(), -1);
+    for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
+      interface.contact_nodes[static_cast<std::size_t>(pair.coupling.nodes[i].node)] =
+          static_cast<int>(pair.first_node) + static_cast<int>(i);
+    if (interface.conductance.depends_on_contact()) bound_slope(interface, linear_pressure * least_modulus);
+  }
+  return heat;
 }
 
 }  // namespace creepcontact::model

@@ -12,6 +12,7 @@
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/model/temperature.hpp"
 #include "function_search.hpp"
+#include "heat_alone.hpp"
 #include "model_links.hpp"
 #include "model_parts.hpp"
 #include "schwarz_options.hpp"
@@ -76,7 +77,9 @@ StepLimits step_limits(std::span<const SearchedFunction> functions) {
 
 }  // namespace
 
-Model build_model(const config::Config& config) {
+Model build_model(const config::Config& given) {
+  const bool is_heat_alone = given.is_heat_alone();
+  const config::Config config = is_heat_alone ? without_mechanics(given) : given;
   const mesh::Mesh whole = read_mesh(config.mesh, config.analysis);
 
   ErrorCollector errors;
@@ -103,25 +106,33 @@ Model build_model(const config::Config& config) {
           for (mechanics::Support& made : make_supports(support, meshes[b])) supports[b].push_back(std::move(made));
     });
 
-  prescribe_axial_strain(config, meshes, supports);
+  if (is_heat_alone)
+    for (std::size_t b = 0; b < meshes.size(); ++b) supports[b] = hold(meshes[b]);
+  else
+    prescribe_axial_strain(config, meshes, supports);
   check_groups(config, whole, meshes, errors);
   std::optional<SharedNodes> shared;
   try {
-    shared.emplace(config, whole, meshes, std::move(shared_mesh));
-    shared->check(config, errors);
+    shared.emplace(given, whole, meshes, std::move(shared_mesh));
+    shared->check(given, errors);
   } catch (const ModelError&) {
     // What a contact covers is not known; its mistake is among the others, or is found when the contact is made.
   }
 
   std::optional<mechanics::TemperatureField> temperature;
+  std::optional<creep::HeatModel> heat;
   if (config.temperature)
     errors.collect(config.temperature->location, [&] { temperature = temperature_field(*config.temperature, whole); });
-  const ModelLinks links = make_links(config, whole, meshes, errors);
+  ModelLinks links = make_links(given, whole, meshes, errors);
   errors.raise();
   if (config.heat)
-    errors.collect(config.heat->location,
-                   [&] { temperature = computed_temperature(config, whole, meshes, shared.value(), links); });
+    errors.collect(config.heat->location, [&] {
+      ComputedTemperature computed = computed_temperature(given, whole, meshes, shared.value(), links);
+      temperature = std::move(computed.field);
+      heat = std::move(computed.heat);
+    });
   errors.raise();
+  if (is_heat_alone) links = make_links(config, whole, meshes, errors);
   std::map<std::string, material::Material> materials;
   for (const config::Material& material : config.materials)
     if (std::ranges::any_of(config.bodies, [&](const auto& body) { return body.material.name == material.name; }))
@@ -131,7 +142,7 @@ Model build_model(const config::Config& config) {
   for (std::size_t b = 0; b < meshes.size(); ++b)
     errors.collect(config.bodies[b].location, [&] {
       bodies.emplace_back(config.bodies[b].name, meshes[b], materials.at(config.bodies[b].material.name), supports[b],
-                          temperature, links.of_body[b], material_axes(config.bodies[b]));
+                          temperature, links.of_body[b], is_heat_alone ? std::nullopt : material_axes(config.bodies[b]));
     });
   errors.raise();
   if (temperature) tell_interpolation(config, bodies, *temperature);
@@ -156,17 +167,21 @@ Model build_model(const config::Config& config) {
                             config.time.output);
     });
   errors.raise();
-  append_ties(config, shared.value(), bodies, pairs);
+  if (!is_heat_alone) append_ties(config, shared.value(), bodies, pairs);
   leave_out_dependent_ties(bodies, config.time.output, pairs);
   append_sector_ties(config, links, bodies, pairs, errors);
   append_equations(config, whole, meshes, bodies, pairs, errors);
   append_springs(config, bodies, pairs, errors);
   errors.raise();
-  share_axial_strain(config, bodies, pairs);
+  if (!is_heat_alone) share_axial_strain(config, bodies, pairs);
 
   creep::SolverOptions options = solver_options(config, bodies);
-  const std::vector<SearchedFunction> functions = search_functions(config, bodies, temperature);
-  std::vector<double> times = breakpoints(config, functions, temperature);
+  std::vector<SearchedFunction> functions;
+  std::vector<double> times;
+  if (config.time.end > 0) {
+    functions = search_functions(config, bodies, temperature);
+    times = breakpoints(config, functions, temperature);
+  }
   if (temperature) warn_of_positions_outside(config, bodies, *temperature);
   warn_of_gaskets(config, bodies);
   // Motions that nothing but facets would hold (a ring turning on its shaft) are left free exactly.
@@ -181,6 +196,8 @@ Model build_model(const config::Config& config) {
               std::move(times),
               step_limits(functions),
               std::move(cycles)};
+  if (heat) heat->is_alone = is_heat_alone;
+  if (heat) model.assembly.set_heat(of_assembly(std::move(*heat), config, model.assembly));
   if (model.cycles) require_cycles(config, model.assembly, *model.cycles);
   return model;
 }

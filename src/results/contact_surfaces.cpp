@@ -26,12 +26,15 @@ ContactValues mean(std::initializer_list<ContactValues> values) {
     sum.closure += value.closure;
     sum.largest_closure += value.largest_closure;
     sum.creep_closure += value.creep_closure;
+    sum.temperature_jump += value.temperature_jump;
+    sum.conductance += value.conductance;
     sum.status = std::max(sum.status, value.status);
   }
   const auto n = static_cast<double>(values.size());
   for (double ContactValues::*const part :
        {&ContactValues::pressure, &ContactValues::gap, &ContactValues::shear, &ContactValues::slip,
-        &ContactValues::closure, &ContactValues::largest_closure, &ContactValues::creep_closure})
+        &ContactValues::closure, &ContactValues::largest_closure, &ContactValues::creep_closure,
+        &ContactValues::temperature_jump, &ContactValues::conductance})
     sum.*part /= n;
   sum.traction /= n;
   return sum;
@@ -50,17 +53,18 @@ bool has_friction(const creep::Equilibrium& at) {
   return at.friction.slip.size() > 0;
 }
 
-bool is_in(AtMultipliers::In models, const creep::Equilibrium& at) {
+bool is_in(AtMultipliers::In models, const creep::Equilibrium& at, bool has_heat) {
+  if (models == AtMultipliers::In::with_heat) return has_heat;
   if (models == AtMultipliers::In::with_friction) return has_friction(at);
   return models == AtMultipliers::In::all || at.largest_closure.size() > 0;
 }
 
 /// The output variables of contact surfaces that the files of this model have.
-std::vector<const OutputVariable*> variables_of(const creep::Equilibrium& at) {
+std::vector<const OutputVariable*> variables_of(const creep::Equilibrium& at, bool has_heat = false) {
   std::vector<const OutputVariable*> found;
   for (const OutputVariable& variable : output_variables()) {
     const auto* multipliers = std::get_if<AtMultipliers>(&variable.support);
-    if (multipliers != nullptr && is_in(multipliers->models, at)) found.push_back(&variable);
+    if (multipliers != nullptr && is_in(multipliers->models, at, has_heat)) found.push_back(&variable);
   }
   return found;
 }
@@ -92,7 +96,8 @@ const mesh::Mesh& ContactSurfaces::body(const Surface& surface) const {
   return assembly_.bodies()[pair(surface).slave_body].mesh();
 }
 
-ContactSurfaces::Values ContactSurfaces::values(const Surface& surface, const creep::Equilibrium& at) const {
+ContactSurfaces::Values ContactSurfaces::values(const Surface& surface, const creep::Equilibrium& at,
+                                                std::span<const heat::NodeOfInterface> heat) const {
   const contact::Pair& contact = pair(surface);
   Values result(surface.nodes.size(), ContactValues{.gap = unknown});
   const auto show = [&](std::int64_t node, const ContactValues& here) {
@@ -101,7 +106,7 @@ ContactSurfaces::Values ContactSurfaces::values(const Surface& surface, const cr
     if (!std::isnan(result[k].gap) && std::abs(here.pressure) <= std::abs(result[k].pressure)) return;
     result[k] = here;
   };
-  const PairValues values(contact, at);
+  const PairValues values(contact, at, heat);
   for (std::size_t i = 0; i < contact.coupling.nodes.size(); ++i) show(contact.coupling.nodes[i].node, values[i]);
   for (const contact::MortarCoupling::Image& image : contact.coupling.images) {
     ContactValues here = values[image.of];
@@ -128,21 +133,22 @@ io::FieldMesh ContactSurfaces::mesh() const {
   return result;
 }
 
-std::vector<io::FieldData> ContactSurfaces::point_arrays(const creep::Equilibrium& at) const {
+std::vector<io::FieldData> ContactSurfaces::point_arrays(const creep::Equilibrium& at,
+                                                          std::span<const heat::NodeOfInterface> heat) const {
   io::FieldData displacement{"displacement", 3, {}}, traction{"contact_traction", 3, {}};
   Values all;
   for (const Surface& surface : surfaces_) {
     const std::vector<double>& moved = at.bodies[pair(surface).slave_body].displacement;
     for (const std::int64_t node : surface.nodes)
       displacement.values.insert(displacement.values.end(), moved.begin() + 3 * node, moved.begin() + 3 * node + 3);
-    for (const ContactValues& here : values(surface, at)) {
+    for (const ContactValues& here : values(surface, at, heat)) {
       all.push_back(here);
       traction.values.insert(traction.values.end(), here.traction.begin(), here.traction.end());
     }
   }
   std::vector<io::FieldData> arrays{std::move(displacement)};
   bool has_traction = !has_friction(at);
-  for (const OutputVariable* variable : variables_of(at)) {
+  for (const OutputVariable* variable : variables_of(at, !heat.empty())) {
     const auto& multipliers = std::get<AtMultipliers>(variable->support);
     if (multipliers.models == AtMultipliers::In::with_friction && !std::exchange(has_traction, true))
       arrays.push_back(std::exchange(traction, {}));

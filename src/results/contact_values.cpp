@@ -14,7 +14,9 @@ constexpr double at_the_limit = 1 - 1e-6;  // of mu times the pressure
 
 }  // namespace
 
-PairValues::PairValues(const contact::Pair& pair, const creep::Equilibrium& at) : pair_(pair), at_(at) {
+PairValues::PairValues(const contact::Pair& pair, const creep::Equilibrium& at,
+                       std::span<const heat::NodeOfInterface> heat)
+    : pair_(pair), at_(at), heat_(heat) {
   if (!pair.gasket) return;
   temperatures_ = pair.gasket->temperatures(at.time);
   growth_ = pair.gasket->growth(at.time);
@@ -49,6 +51,10 @@ ContactValues PairValues::operator[](std::size_t node) const {
   result.shear = shear.norm();
   const auto number = pair_.first_node + static_cast<Index>(node);
   if (!tied) result.gap = open_gap(node);
+  if (!heat_.empty()) {
+    result.temperature_jump = heat_[static_cast<std::size_t>(number)].jump;
+    result.conductance = heat_[static_cast<std::size_t>(number)].conductance;
+  }
   if (pair_.gasket) {
     result.creep_closure = at_.creep_closure.empty() ? 0 : at_.creep_closure[static_cast<std::size_t>(number)];
     result.closure =

@@ -12,6 +12,9 @@ class Arrays {
   Arrays(std::string OutputVariable::*name, const Snapshot& snapshot)
       : is_axisymmetric_(snapshot.assembly().bodies().front().mesh().section.is_axisymmetric()) {
     for (const OutputVariable& variable : output_variables()) {
+      const creep::Assembly& assembly = snapshot.assembly();
+      if (variable.needs_heat && assembly.conduction() == nullptr) continue;
+      if (assembly.is_heat_alone() && !variable.is_of_heat) continue;
       if ((variable.*name).empty() || (variable.state_variable && !snapshot.has(*variable.state_variable))) continue;
       variables_.push_back(&variable);
       // Vectors and tensors have the component names of ParaView.

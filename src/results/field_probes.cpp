@@ -55,8 +55,14 @@ class PointProbe final : public Probe {
       sample.strain += weight * at_point.strain;
       sample.creep_strain += weight * at_point.creep_strain;
       sample.temperature += weight * at_point.temperature;
+      sample.heat_flux += weight * at_point.heat_flux;
       sample.state.resize(at_point.state.size());
       for (std::size_t k = 0; k < at_point.state.size(); ++k) sample.state[k] += weight * at_point.state[k];
+    }
+    if (const std::vector<double>& computed = fields.computed_temperature(); !computed.empty()) {
+      sample.temperature = 0;
+      for (std::size_t i = 0; i < location_.nodes.size(); ++i)
+        sample.temperature += location_.weights[i] * computed[static_cast<std::size_t>(location_.nodes[i])];
     }
     return quantity_(sample);
   }

@@ -34,6 +34,7 @@ std::unique_ptr<Probe> make_probe(const AreaInContact& area, const ProbeRequest&
 std::unique_ptr<Probe> make_probe(const OnSupports& supports, const ProbeRequest& request);
 std::unique_ptr<Probe> make_probe(const OnCrossSection& section, const ProbeRequest& request);
 std::unique_ptr<Probe> make_probe(const OnPlane& plane, const ProbeRequest& request);
+std::unique_ptr<Probe> make_probe(const ThroughSurface& surface, const ProbeRequest& request);
 
 /// A value of other probes. @param all  the probes of the configuration; those that the expression names exist already
 /// @param probes  their configurations, in the same order

@@ -72,6 +72,8 @@ std::unique_ptr<Probe> scaled(std::unique_ptr<Probe> probe, double factor) {
 std::unique_ptr<Probe> quantity_probe(const config::Probe& probe, const model::Model& model,
                                       std::span<const PointLocator> locators) {
   const ProbeRequest request{probe, quantity(probe.quantity), model, locators};
+  if (request.quantity.variable->needs_heat && model.assembly.conduction() == nullptr)
+    throw ModelError(fmt::format("'{}' is known only where [heat] computes the temperature", probe.quantity));
   return std::visit([&](const auto& support) { return make_probe(support, request); },
                     request.quantity.variable->support);
 }

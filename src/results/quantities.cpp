@@ -160,7 +160,23 @@ std::vector<OutputVariable> make_variables() {
                  .label = "temperature",
                  .dimension = Dimension::temperature,
                  .support = AtPoints{[](const Sample& at, double* into) { *into = at.temperature; }},
-                 .point_array = "temperature"});
+                 .point_array = "temperature",
+                 .is_of_heat = true});
+  all.push_back({.name = "heat_flux",
+                 .components = vector_components,
+                 .description = "heat per area and time, where `[heat]` computes the temperature",
+                 .label = "heat flux",
+                 .support = AtPoints{[](const Sample& at, double* into) { std::ranges::copy(at.heat_flux, into); }},
+                 .point_array = "heat_flux",
+                 .is_of_heat = true,
+                 .needs_heat = true});
+  all.push_back({.name = "heat_flow",
+                 .description = "heat per time that leaves the bodies through a surface: by films, fluxes, radiation, "
+                                "given temperatures and contacts",
+                 .label = "heat flow",
+                 .support = ThroughSurface{},
+                 .is_of_heat = true,
+                 .needs_heat = true});
   std::size_t first = 0;
   for (const material::StateVariable* variable : material::state_variables()) {
     all.push_back(of_state_variable(*variable, first));
@@ -206,6 +222,16 @@ std::vector<OutputVariable> make_variables() {
              "largest closure of a gasket so far without creep, from which it unloads");
   of_gaskets("creep_closure", "closure by creep", &ContactValues::creep_closure,
              "part of the closure of a gasket that is creep");
+  all.push_back({.name = "temperature_jump",
+                 .description = "temperature of the slave surface less that of the other one, where `[heat]` computes it",
+                 .label = "temperature jump",
+                 .support = AtMultipliers{&ContactValues::temperature_jump, AtMultipliers::In::with_heat, false},
+                 .needs_heat = true});
+  all.push_back({.name = "contact_conductance",
+                 .description = "heat per area, time and degree that passes a contact",
+                 .label = "conductance",
+                 .support = AtMultipliers{&ContactValues::conductance, AtMultipliers::In::with_heat, false},
+                 .needs_heat = true});
   all.push_back({.name = "gasket_pressure",
                  .description =
                      "contact pressure as tightness is judged by: its mean over the width, at sections around "

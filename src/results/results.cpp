@@ -69,7 +69,7 @@ void Results::output(Snapshot& snapshot, std::span<const double> probe_values) {
   std::vector<io::FieldData> at_points = point_arrays(snapshot), on_surfaces;
   if (!surfaces_.empty())
     for (io::FieldData& field : surfaces_.on_bodies(snapshot.equilibrium())) at_points.push_back(std::move(field));
-  if (contact_) on_surfaces = named(surfaces_.point_arrays(snapshot.equilibrium()));
+  if (contact_) on_surfaces = named(surfaces_.point_arrays(snapshot.equilibrium(), snapshot.heat_of_contact()));
   std::vector<io::FrdField> for_frd;
   if (frd_) for_frd = frd_fields(at_points);
   background_.start([this, for_frd = std::move(for_frd), time = snapshot.time(), points = named(std::move(at_points)),

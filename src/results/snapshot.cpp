@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "creepcontact/creep/joint_values.hpp"
 #include "creepcontact/results/probes.hpp"
 
 namespace creepcontact::results {
@@ -13,6 +14,10 @@ Tensor6 tensor_at(const std::vector<double>& values, std::size_t i) {
 
 constexpr std::size_t number(PointField field) {
   return static_cast<std::size_t>(field);
+}
+
+Vector3 vector_at(const std::vector<double>& values, std::size_t i) {
+  return values.empty() ? Vector3::Zero() : Vector3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
 }
 
 std::size_t state_width() {
@@ -62,8 +67,8 @@ std::vector<std::pair<std::size_t, const PointState*>> columns(const std::vector
 
 BodyFields::BodyFields(const mechanics::Body& body, const mechanics::BodyConditions& conditions,
                        const creep::BodyState& state, mechanics::CreepStrainView creep,
-                       std::vector<PointState> variables)
-    : body_(body), state_(state), variables_(std::move(variables)) {
+                       std::vector<PointState> variables, BodyHeat heat)
+    : body_(body), state_(state), variables_(std::move(variables)), heat_(std::move(heat)) {
   using enum PointField;
   const mechanics::Discretization& discretization = body.discretization();
   const auto at_points = [&](PointField field) -> std::vector<double>& { return points_[number(field)]; };
@@ -101,7 +106,12 @@ const BodyFields::Nodal& BodyFields::nodal() const {
       tensor::writable(tensors, n_tensors * p + k) = tensor_at(points_[k], p);
   at_nodes.tensors.resize(6 * n_tensors * discretization.n_nodes());
   discretization.tensors_to_nodes(tensors, at_nodes.tensors);
-  at_nodes.temperature = to_nodes(discretization, points_[number(temperature)], false);
+  at_nodes.temperature = heat_.temperature.empty() ? to_nodes(discretization, points_[number(temperature)], false)
+                                                   : heat_.temperature;
+  if (!heat_.flux.empty()) {
+    at_nodes.heat_flux.resize(3 * discretization.n_nodes());
+    discretization.to_nodes(heat_.flux, 3, at_nodes.heat_flux);
+  }
   if (variables_.empty()) return at_nodes;
   at_nodes.state.assign(state_width() * discretization.n_nodes(), 0.0);
   for (const auto& [first, known] : columns(variables_)) {
@@ -128,6 +138,7 @@ Sample BodyFields::at_node(std::size_t node) const {
           tensor_at(at_nodes.tensors, n_tensors * node + number(strain)),
           tensor_at(at_nodes.tensors, n_tensors * node + number(creep_strain)),
           at_nodes.temperature[node],
+          vector_at(at_nodes.heat_flux, node),
           row(at_nodes.state, node)};
 }
 
@@ -139,6 +150,7 @@ Sample BodyFields::at_point(std::size_t point) const {
           tensor_at(points_[number(strain)], point),
           tensor_at(points_[number(creep_strain)], point),
           points_[number(temperature)][point],
+          vector_at(heat_.flux, point),
           row(state_at_points_, point)};
 }
 
@@ -155,10 +167,39 @@ const BodyFields& Snapshot::fields(std::size_t body) {
   for (const material::StateVariable* variable : material::state_variables())
     if (std::vector<double> values = laws_.evaluate(*variable, body, at_, at_.y); !values.empty())
       variables.push_back({variable, std::move(values)});
+  BodyHeat heat;
+  if (const heat::Definition* conduction = assembly().conduction()) {
+    heat.temperature = computed_temperatures()[body];
+    heat.flux =
+        heat::flux(conduction->bodies[body], assembly().bodies()[body].discretization(), heat.temperature);
+  }
   return fields_
       .try_emplace(body, assembly().bodies()[body], at_.equilibrium.conditions[body], at_.equilibrium.bodies[body],
-                   creep[body], std::move(variables))
+                   creep[body], std::move(variables), std::move(heat))
       .first->second;
+}
+
+const std::vector<std::vector<double>>& Snapshot::computed_temperatures() {
+  if (!temperatures_.empty() || assembly().conduction() == nullptr) return temperatures_;
+  if (const creep::HeatModel* state = assembly().heat()) {
+    for (const std::vector<int>& unknowns : state->unknown_of) {
+      std::vector<double>& own = temperatures_.emplace_back();
+      for (const int unknown : unknowns) own.push_back(at_.temperatures[static_cast<std::size_t>(unknown)]);
+    }
+    return temperatures_;
+  }
+  for (const mechanics::Body& body : assembly().bodies())
+    temperatures_.push_back(body.temperature_at_nodes(at_.time));
+  return temperatures_;
+}
+
+const std::vector<heat::NodeOfInterface>& Snapshot::heat_of_contact() {
+  const heat::Definition* conduction = assembly().conduction();
+  if (!heat_of_contact_.empty() || conduction == nullptr) return heat_of_contact_;
+  const creep::JointValues joint = creep::joint_values(assembly(), at_.equilibrium);
+  heat_of_contact_ =
+      heat::at_contact_nodes(*conduction, computed_temperatures(), at_.time, joint, joint.pressure.size());
+  return heat_of_contact_;
 }
 
 const std::vector<double>& Snapshot::reactions(std::size_t body) {

@@ -53,7 +53,7 @@ class MultiplierProbe final : public Probe {
     Reduction reduction(reduce_);
     for (const ContactPart& side : sides_) {
       const contact::Pair& pair = snapshot.assembly().pairs()[side.pair];
-      const PairValues values(pair, snapshot.equilibrium());
+      const PairValues values(pair, snapshot.equilibrium(), snapshot.heat_of_contact());
       for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
         if (is_extreme ? side.lies_within[i] == 0 : side.multiplier_shares[i] == 0) continue;
         reduction.add(values[i].*multipliers_.value, side.multiplier_shares[i] * pair.coupling.area[i]);

@@ -15,6 +15,7 @@
 #include "creepcontact/results/probes.hpp"
 #include "creepcontact/run/vocabulary.hpp"
 #include "gap_report.hpp"
+#include "heat_alone.hpp"
 #include "memory_need.hpp"
 #include "model_record.hpp"
 #include "model_view.hpp"
@@ -37,7 +38,7 @@ std::string contact_text(const contact::Pair& pair, const config::Contact& conta
 }  // namespace
 
 void check(const config::Config& given, std::ostream& report, const CheckOptions& options) {
-  const config::Config config = config::completed(given, vocabulary());
+  const config::Config config = with_what_is_computed(config::completed(given, vocabulary()));
   const std::filesystem::path directory = output_directory(config, options.output);
   require_output(directory, options.resume);
   const model::Model model = model::build_model(config);
@@ -91,7 +92,7 @@ void check(const config::Config& given, std::ostream& report, const CheckOptions
   report << text << std::flush;
   rigid_body_modes.require_contact(model.pairs());
   contact::require_balance(model.bodies(), model.pairs(), rigid_body_modes, model.assembly.at(0), 0);
-  creep::require_loaded(model.assembly, config.time.output, model.distinct_breakpoints());
+  if (!config.is_heat_alone()) creep::require_loaded(model.assembly, config.time.output, model.distinct_breakpoints());
   if (options.resume) Checkpoints(config, model, creep::Distribution(model.assembly), directory).read();
   if (options.fields)
     for (const std::filesystem::path& file : write_model_view(config, model, directory))

@@ -10,7 +10,8 @@ constexpr double min_relative_step = 1e-7;  // of the time
 const std::string path_name = "load_path";  // in memories
 }  // namespace
 
-void LoadPath::initialize(double t, std::span<const double> /*y*/, double /*step*/) {
+void LoadPath::initialize(double t, std::span<const double> y, double /*step*/) {
+  state_.assign(y.begin(), y.end());
   time_ = t;
   target_ = none;
   accept_output();
@@ -30,8 +31,8 @@ ode::StepReport LoadPath::step(double t_limit) {
 
 void LoadPath::accept_output() {
   if (system_.depends_on_path() || time_ <= accepted_ || !std::ranges::binary_search(outputs_, time_)) return;
-  system_.evaluate_step(time_, {});
-  system_.accept(time_, {});
+  system_.evaluate_step(time_, state_);
+  system_.accept(time_, state_);
   accepted_ = time_;
 }
 
@@ -42,8 +43,8 @@ void LoadPath::follow_path(double t_limit) {
     length_ = std::min(length_, system_.longest_step_of_friction(time_, target_));
     const double to = length_ < target_ - time_ ? time_ + length_ : target_;
     try {
-      system_.evaluate_step(to, {});
-      system_.accept(to, {});
+      system_.evaluate_step(to, state_);
+      system_.accept(to, state_);
     } catch (const RecoverableError&) {  // loads that cannot be carried in one step, or not at all
       length_ = (to - time_) / 2;
       if (!(length_ > min_relative_step * target_)) throw;

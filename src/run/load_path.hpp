@@ -2,7 +2,9 @@
 /// The integrator of models in which nothing creeps: it has no state, but follows the paths of friction and of
 /// plastic flow.
 
+#include <algorithm>
 #include <limits>
+#include <vector>
 
 #include "creepcontact/creep/creep_system.hpp"
 #include "creepcontact/ode/integrator.hpp"
@@ -14,7 +16,7 @@ namespace creepcontact::run {
 /// states are accepted because the next contact iterations start from them.
 class LoadPath final : public ode::Integrator {
  public:
-  /// @param system  without a state in any process @param outputs  ascending
+  /// @param system  without a state in any process, or one that stays as it is @param outputs  ascending
   /// @param breakpoints  ascending: results there are those after the loads have changed. All must outlive the object
   LoadPath(creep::CreepSystem& system, const std::vector<double>& outputs, const std::vector<double>& breakpoints)
       : system_(system), outputs_(outputs), breakpoints_(breakpoints) {}
@@ -23,9 +25,9 @@ class LoadPath final : public ode::Integrator {
   void initialize(double t, std::span<const double> y, double step = 0) override;
   /// @throws RecoverableError if there is no equilibrium on the way, however short the steps
   ode::StepReport step(double t_limit) override;
-  void interpolate(double /*t*/, std::span<double> /*y*/) const override {}
+  void interpolate(double /*t*/, std::span<double> y) const override { std::ranges::copy(state_, y.begin()); }
   double time() const override { return time_; }
-  std::span<const double> state() const override { return {}; }
+  std::span<const double> state() const override { return state_; }
   double next_step() const override { return 0; }
   ode::RestartPoint save() const override;
   void restore(const ode::RestartPoint& point) override;
@@ -41,6 +43,7 @@ class LoadPath final : public ode::Integrator {
   creep::CreepSystem& system_;
   const std::vector<double>& outputs_;
   const std::vector<double>& breakpoints_;
+  std::vector<double> state_;
   double time_ = 0;
   double target_ = none;  // time that the steps along a path lead to
   double length_ = 0;     // of the next one of them, if nothing else bounds it

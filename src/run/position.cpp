@@ -11,7 +11,7 @@ Position::Position(const RunContext& context, std::unique_ptr<ode::Integrator> i
       integrator_(std::move(integrator)),
       schedule_(context.config.time.output, context.model.breakpoints, context.config.time.end),
       within_(context.system().size()) {
-  state_.y.resize(context.system().size());
+  state_.y = context.system().initial_state();
   schedule_.begin(state_.time);
   begin_segment();
 }

@@ -121,7 +121,7 @@ std::unique_ptr<ode::Integrator> make_integrator(const config::Config& config, c
                                                  creep::CreepSystem& system) {
   const config::Time& time = config.time;
   // One of several processes may have nothing that creeps.
-  if (!system.team().any(system.size() > 0)) return std::make_unique<LoadPath>(system, time.output, model.breakpoints);
+  if (time.end == 0 || !system.team().any(system.size() > 0)) return std::make_unique<LoadPath>(system, time.output, model.breakpoints);
   ode::IntegratorOptions options = time;
   options.end_time = time.end;
   constexpr double steps_per_turn = 6;
@@ -130,7 +130,9 @@ std::unique_ptr<ode::Integrator> make_integrator(const config::Config& config, c
       static_cast<double>(time.jump_cycles ? model.distinct_breakpoints().size() : model.breakpoints.size());
   options.tolerance *= std::min(ode::restart_share(time.integrator, restarts),
                                 ode::vibration_share(model.step_limits.n_steps() / steps_per_turn));
-  return ode::make_integrator(time.integrator, system, options);
+  // What chooses by itself would begin with a method that has no iterations.
+  const bool chooses = system.assembly().heat() != nullptr && time.integrator == "auto";
+  return ode::make_integrator(chooses ? "cvode_bdf" : time.integrator, system, options);
 }
 
 }  // namespace creepcontact::run

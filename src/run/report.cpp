@@ -73,11 +73,29 @@ std::string place(const io::Summary::Largest& largest) {
   return fmt::format("at ({:.6g}, {:.6g}, {:.6g})", x, y, z);
 }
 
+/// The heat that flows at the end, its balance, and the loop gain.
+std::string heat_lines(const io::Summary::Heat& heat) {
+  std::string text = "  heat at the end, per time of its data\n";
+  const auto line = [&](const std::string& name, double flow) { text += fmt::format("    {:<50}{:>14.6g}\n", name, flow); };
+  for (const auto& [name, flow] : heat.flows) line(name, flow);
+  for (const auto& [name, flow] : heat.contacts) line(fmt::format("across contact '{}'", name), flow);
+  line("stored in the bodies", heat.stored);
+  if (const double largest = heat.largest(); largest > 0)
+    text += fmt::format("    balance: {:.1g} of the largest flow is missing\n", std::abs(heat.rest) / largest);
+  if (heat.loop_gain)
+    text += fmt::format("    loop gain of contact and heat: at most {:.2g}, at t = {:.6g}\n", heat.loop_gain->value,
+                        heat.loop_gain->time);
+  return text;
+}
+
 std::string outcome_table(const io::Summary& summary) {
   // Without an output at its end a run has no values of its end.
   const bool is_end = summary.status == io::Summary::Status::completed || summary.rupture;
   const std::string up_to =
       is_end ? "" : fmt::format("last output: t = {:.6g}", summary.last_output.value_or(summary.time_reached));
+  const auto is_unloaded = [](const auto& named) { return named.second.von_mises.largest == 0; };
+  if (summary.heat && summary.contacts.empty() && std::ranges::all_of(summary.bodies, is_unloaded))
+    return heat_lines(*summary.heat);
   std::string text = fmt::format("  {:<34}{:>12}{:>12}{:>12}{:>12}\n", up_to, "start", "largest",
                                  is_end ? "end" : "last", is_end ? "end/largest" : "last/largest");
   for (const auto& [name, contact] : summary.contacts)
@@ -108,6 +126,7 @@ std::string outcome_table(const io::Summary& summary) {
   if (const auto& rupture = summary.rupture)
     text +=
         fmt::format("  body '{}' ruptured at t = {:.6g} {}\n", rupture->body, rupture->time, place(rupture->damage));
+  if (summary.heat) text += heat_lines(*summary.heat);
   if (summary.cycles) text += cycle_lines(*summary.cycles);
   if (summary.plastic_error.value_or(0) > 0)
     text += fmt::format("  plastic flow: estimated error of the stress {:.2g} of the yield stress\n",

@@ -28,6 +28,7 @@
 #include "creepcontact/run/vocabulary.hpp"
 #include "fingerprint.hpp"
 #include "finished_run.hpp"
+#include "heat_alone.hpp"
 #include "loop.hpp"
 #include "observers/observers.hpp"
 #include "preparation.hpp"
@@ -221,7 +222,7 @@ Summary run_loop(Loop& loop, const ObserverList& observers, SummaryFile& file, c
 }  // namespace
 
 Summary run(const config::Config& given, const RunOptions& options) {
-  const config::Config config = config::completed(given, vocabulary());
+  const config::Config config = with_what_is_computed(config::completed(given, vocabulary()));
   Stopwatch watch;
   log::WarningRecord warnings;
   const Team& team = *options.processes.team;
@@ -239,6 +240,11 @@ Summary run(const config::Config& given, const RunOptions& options) {
   model::Model& model = *built;
   require_one_model(team, config, model);
   if (team.any(team.rank() == 0 && !finished.message.empty())) return finished;
+  if (team.size() > 1 && model.assembly.heat() != nullptr)
+    throw ConfigError(
+        fmt::format("{}: conductances that depend on contact make the temperature part of the state, which is not yet "
+                    "possible on several processes; use one process",
+                    config.file.string()));
   const creep::Distribution distribution =
       team.size() == 1 ? creep::Distribution(model.assembly)
                        : creep::Distribution(model.assembly, team, options.processes.partition(model.bodies()));

@@ -8,8 +8,11 @@
 
 #include "verification/cube.hpp"
 
-namespace creepcontact::test {
+namespace creepcontact {
+namespace guarded_steps_tests {
 namespace {
+
+using namespace test;
 
 constexpr double end = 1e4, window = 0.5, spacing = 5;
 
@@ -42,4 +45,5 @@ TEST(GuardedSteps, WindowsThatTheSearchMissesAreIntegrated) {
 }
 
 }  // namespace
-}  // namespace creepcontact::test
+}  // namespace guarded_steps_tests
+}  // namespace creepcontact

@@ -1,6 +1,6 @@
 #pragma once
-/// Scalar functions given by the user: a number, an expression in x, y, z, t, T, q, eps, U (muParser), or a table in t
-/// or T.
+/// Scalar functions given by the user: a number, an expression in x, y, z, t, T, q, eps, U, p, gap (muParser), or a
+/// table in t, T, p or gap.
 
 #include <functional>
 #include <memory>
@@ -18,6 +18,7 @@ struct Arguments {
   double q = 0;                ///< equivalent stress (creep rate expressions)
   double eps = 0;              ///< accumulated equivalent creep strain (creep rate expressions)
   double U = 1;                ///< strength of the material (of a law that has one)
+  double p = 0, gap = 0;       ///< pressure and opening of a contact
 };
 
 /// A closed interval.
@@ -33,13 +34,13 @@ class Function {
   Function() : Function(0.0) {}
   Function(double constant);  // NOLINT(google-explicit-constructor): a number is a function value
 
-  /// @param allowed  variables that the expression may use, a subset of "x y z t T q eps U": "xyzt" is
+  /// @param allowed  variables that the expression may use, a subset of "x y z t T q eps U p gap": "xyzt" is
   /// {"x","y","z","t"}
   /// @throws std::invalid_argument with the message of the parser and the position in the expression
   static Function expression(const std::string& text, const std::vector<std::string>& allowed);
 
   /// Table, linear between the points and constant outside.
-  /// @param variable  "t" or "T"; abscissae increase. An abscissa given twice in t is a jump: the function has the
+  /// @param variable  "t", "T", "p" or "gap"; abscissae increase. An abscissa given twice in t is a jump: the function has the
   /// second value there, and the first one as the limit from the left.
   /// @param period  only in t: the value at t is that at t modulo the period. The points lie in [0, period], the first
   /// at 0. If the values at both ends differ, there is a jump at each period.
@@ -68,6 +69,7 @@ class Function {
   bool depends_on_time() const;         ///< t
   bool depends_on_temperature() const;  ///< T
   bool depends_on_strain() const;       ///< eps
+  bool depends_on_contact() const;      ///< p or gap
   /// Times of the points of a table in t (jumps and changes of slope), increasing; for a periodic table those of the
   /// first period. Empty for other functions.
   std::vector<double> breakpoints() const;

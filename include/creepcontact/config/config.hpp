@@ -288,7 +288,8 @@ struct Heat {
   std::vector<HeatRadiation> radiation;
   std::vector<HeatSource> sources;
   std::optional<double> stefan_boltzmann, absolute_zero;
-  double tolerance = 1e-4;  ///< of temperatures, relative to their range
+  double tolerance = 1e-4;    ///< of temperatures, relative to their range
+  std::optional<bool> alone;  ///< without mechanics; nullopt: if no material has elastic constants
   Location location;
 };
 
@@ -296,7 +297,7 @@ struct Heat {
 struct Conductance {
   enum class Kind { not_given, function, perfect, insulated };
   Kind kind = Kind::not_given;
-  Function value = 0.0;  ///< per area and degree
+  Function value = 0.0;  ///< per area and degree; of x, y, z, t, T, and of the pressure p and the gap
 };
 
 using settings::Acceleration;
@@ -535,6 +536,10 @@ struct Config {
   const Material& material(const std::string& name) const;
   /// Whether a temperature is given or computed.
   bool has_temperature() const { return temperature.has_value() || heat.has_value(); }
+  /// Whether [heat] is computed without any mechanics.
+  bool is_heat_alone() const;
+  /// Whether contact changes the flow of heat: then the temperature is part of the state of the run.
+  bool has_coupled_heat() const;
   /// Whether it is a function of the place and the time.
   bool has_temperature_function() const { return temperature && temperature->files.empty(); }
 };

@@ -26,6 +26,7 @@
 namespace creepcontact::creep {
 
 class GasketCreep;
+class HeatCoupling;
 
 /// The creep rate as the integrators see it. It is a pure function of (t, y) and the history of accepted steps:
 /// evaluations for outputs (evaluate_output) never change what the steps compute. One thread at a time.
@@ -42,6 +43,12 @@ class CreepSystem final : public ode::System,
   ~CreepSystem() override;
 
   std::size_t size() const override { return laws_.layout().size(); }
+  /// The state at t = 0: no creep; temperatures, if they are part of the state. Steady ones are found with the contact
+  /// that belongs to them. @throws SolverError without convergence
+  std::vector<double> initial_state();
+  /// How strongly contact and heat act on each other, see LoopGain; nullopt without heat in the state.
+  /// Cost: some elastic solves
+  std::optional<double> loop_gain(double t, std::span<const double> y);
   const Team& team() const override { return assembly().team(); }
   /// @throws RecoverableError if no equilibrium is found, or if the stress or a rate is not finite
   void rate(double t, std::span<const double> y, std::span<double> rate) override;
@@ -56,7 +63,7 @@ class CreepSystem final : public ode::System,
   ode::JacobianProducts* jacobian() override { return this; }
   /// Null unless contact is condensed to dense matrices, and one process has all of them.
   ode::NewtonSolver* newton_solver() override {
-    return solver_.interface().is_condensed() && team().size() == 1 ? this : nullptr;
+    return solver_.interface().is_condensed() && team().size() == 1 && !heat_ ? this : nullptr;
   }
   /// Null unless some law may start with an infinite rate (ElasticSurvey::singular_start).
   ode::SingularRate* singular_rate() override { return may_start_singular_ ? this : nullptr; }
@@ -174,6 +181,8 @@ class CreepSystem final : public ode::System,
   void solve(double t, std::span<const double> y, Evaluation& into);
   /// The creep strains in y, or in a change of it; valid until the next call.
   CreepStrains strains(std::span<const double> y);
+  /// The same of a state at time t, with its temperatures.
+  CreepStrains strains(double t, std::span<const double> y);
   /// What the gaskets are preconditioned with: F + compliance per row.
   Eigen::VectorXd gasket_flexibility() const;
   bool is_at(double t, std::span<const double> y, const Evaluation& of) const;
@@ -181,6 +190,9 @@ class CreepSystem final : public ode::System,
   /// The time at which the loads are evaluated for t: t moved inside the segment of begin_segment().
   double load_time(double t) const;
   void resize_tangents();
+  /// Products with what temperatures change: the strains and the rates of the laws, and the rates of temperatures.
+  void heat_products(const Evaluation& at, std::span<const double> y, std::span<const double> v,
+                     std::span<double> product);
   /// The tangents at step_.
   const std::vector<std::vector<material::StressTangent>>& step_tangents();
   /// @param before  the history before preloads of t @returns true if something flows
@@ -212,6 +224,8 @@ class CreepSystem final : public ode::System,
   std::vector<mechanics::CreepStrainView> views_;
   std::unique_ptr<GasketCreep> gaskets_;
   std::vector<double> closures_;
+  std::unique_ptr<HeatCoupling> heat_;             // null: the temperature is not part of the state
+  std::vector<std::vector<double>> temperatures_;  // at the points, of strains()
   std::vector<Eigen::MatrixXd> gasket_jacobians_;  // of prepare_preconditioner()
   std::vector<std::vector<double>> stress_change_;
   std::int64_t rate_evaluations_ = 0, jacobian_products_ = 0;

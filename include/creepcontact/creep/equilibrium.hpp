@@ -19,12 +19,14 @@ struct BodyState {
   std::vector<double> stress;        ///< n_points x 6, Mandel order
 };
 
-/// Creep strains of all bodies, and closures of creeping gaskets. Refers to values of the caller.
+/// Creep strains of all bodies, closures of creeping gaskets, and temperatures if they are part of the state. Refers to
+/// values of the caller.
 class CreepStrains {
  public:
   // NOLINTBEGIN(google-explicit-constructor): without creeping gaskets the views are all
-  CreepStrains(std::span<const mechanics::CreepStrainView> bodies, std::span<const double> closures = {})
-      : bodies_(bodies), closures_(closures) {}
+  CreepStrains(std::span<const mechanics::CreepStrainView> bodies, std::span<const double> closures = {},
+               std::span<const std::vector<double>> temperatures = {})
+      : bodies_(bodies), closures_(closures), temperatures_(temperatures) {}
   CreepStrains(const std::vector<mechanics::CreepStrainView>& bodies) : bodies_(bodies) {}
   // NOLINTEND(google-explicit-constructor)
 
@@ -33,10 +35,13 @@ class CreepStrains {
   std::span<const mechanics::CreepStrainView> bodies() const { return bodies_; }  ///< one per body
   /// Closures by creep, per node of the contact problem [length]; empty: none.
   std::span<const double> closures() const { return closures_; }
+  /// At the points of each body; empty: those of its field.
+  std::span<const std::vector<double>> temperatures() const { return temperatures_; }
 
  private:
   std::span<const mechanics::CreepStrainView> bodies_;
   std::span<const double> closures_;
+  std::span<const std::vector<double>> temperatures_;
 };
 
 /// Displacements of all bodies on their free dofs, n_free each; a body without numbers: u = 0.

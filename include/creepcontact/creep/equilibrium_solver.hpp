@@ -76,10 +76,11 @@ class EquilibriumSolver {
   /// moduli of the factors times stiffness_scale, with a relative error of at most q. Strains that cause no stress
   /// still cause none, and a Newton iteration converges linearly with the factor q. Points that flow go on to
   /// (PlasticTangent).
-  /// @param stress  one per body, n_points x 6. @returns the change of the multipliers, without that by flow
+  /// @param stress  one per body, n_points x 6 @param gap  if not null: the change of the weighted gaps of all rows,
+  /// without that by flow @returns the change of the multipliers, without that by flow
   /// Cost: one forward and one back substitution per body; some more where points flow
-  Eigen::VectorXd linearized(const Equilibrium& at, CreepStrains creep_change,
-                             std::vector<std::vector<double>>& stress);
+  Eigen::VectorXd linearized(const Equilibrium& at, CreepStrains creep_change, std::vector<std::vector<double>>& stress,
+                             Eigen::VectorXd* gap = nullptr);
 
   /// An empty history for this assembly, in which nothing yields.
   History new_history() const;
@@ -205,7 +206,7 @@ class EquilibriumSolver {
                        const PathOptions& options);
   /// linearized() of elastic bodies.
   Eigen::VectorXd linearized_elastic(const Equilibrium& at, CreepStrains creep_change,
-                                     std::vector<std::vector<double>>& stress);
+                                     std::vector<std::vector<double>>& stress, Eigen::VectorXd* gap = nullptr);
   /// Sets the space of the results.
   void resize(Equilibrium& into) const;
   /// One elastic solve. @returns change of the displacement in the energy norm
@@ -254,6 +255,7 @@ class EquilibriumSolver {
   const bool stiffness_changes_;
   double solver_error_ = 0;   // its bound
   std::int64_t factors_ = 0;  // number of factorisations since the start
+  std::vector<std::vector<double>> factor_temperatures_;  // at the points, of temperatures that belong to the state
   std::vector<Work> work_;    // scratch, no state between calls
   RunCounters counters_;
 };

@@ -51,6 +51,8 @@ class ErrorScale {
 
  private:
   void set(std::size_t body, double strain);
+  /// Temperatures of the state: those whose thermal strain is the scale of the creep strain.
+  void set_temperatures();
   void set_gasket(std::size_t pair, double strain);
   /// One entry per state variable of a point, without what cycles have made of it.
   std::vector<double> of_point(std::size_t body) const;

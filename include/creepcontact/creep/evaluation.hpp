@@ -14,6 +14,8 @@ struct Evaluation {
   std::vector<double> y;  ///< the state, of size StateLayout::size()
   Equilibrium equilibrium;
   std::vector<LawParameters> laws;  ///< one per body
+  /// Temperatures of the unknowns of HeatModel, if they are part of the state; else empty.
+  std::vector<double> temperatures;
   /// Tangents at all points, one list per body; meaningful where has_tangents.
   std::vector<std::vector<material::StressTangent>> tangents;
   bool has_tangents = false;

@@ -11,6 +11,7 @@
 
 #include "creepcontact/base/function.hpp"
 #include "creepcontact/contact/geometry/facing_points.hpp"
+#include "creepcontact/linalg/stiffness_solver.hpp"
 #include "creepcontact/mechanics/material_axes.hpp"
 #include "creepcontact/mesh/mesh.hpp"
 #include "creepcontact/ode/implicit_integrator.hpp"
@@ -34,12 +35,14 @@ struct SurfaceFlow {
   std::vector<mesh::Face> faces;
   Function factor;  ///< of x, y, z, t, T: h, the flux into the body, or eps sigma
   Function beyond;  ///< of x, y, z, t: temperature of the fluid or of the surroundings
+  std::string name = {};  ///< for the balance
 };
 
 /// Heat that arises in a volume, per volume and time of the data.
 struct Source {
   std::size_t body = 0;
   Function value;  ///< of x, y, z, t, T
+  std::string name = {};
 };
 
 /// Nodes whose temperature is given.
@@ -47,11 +50,17 @@ struct GivenTemperature {
   std::size_t body = 0;
   std::vector<std::int64_t> nodes;
   Function value;  ///< of x, y, z, t
+  std::string name = {};
 };
 
 struct BodyNode {
   std::size_t body = 0;
   std::int64_t node = 0;
+};
+
+/// What presses or parts the surfaces of contacts, at the nodes of contact in their order.
+struct ContactAtNodes {
+  std::span<const double> pressure, gap;  ///< >= 0
 };
 
 /// Heat flows across the points of two surfaces by conductance times the difference of their temperatures.
@@ -61,6 +70,11 @@ struct Interface {
   std::vector<contact::FacingFaces> faces;
   Function conductance;     ///< of x, y, z, t, T, the mean of both temperatures; unless it is perfect:
   bool is_perfect = false;  ///< 1000 times the conductivity over the size of the faces
+  /// Given if the conductance depends on p or gap: for each node of the first mesh its number in ContactAtNodes, or -1.
+  /// Both are interpolated linearly between the corners of faces. Where no corner of a face is a node of contact, no
+  /// heat flows.
+  std::vector<int> contact_nodes = {};
+  double linear_below = 0;  ///< pressure below which the conductance is taken linear in p, so that its slope is finite
 };
 
 struct Definition {
@@ -95,8 +109,12 @@ class Conduction final : public ode::ImplicitSystem {
 
   const Definition& definition() const;
   std::size_t size() const override;
+  /// By body and node.
+  const std::vector<std::vector<int>>& unknown_of() const;
   /// Unknowns of these temperatures at all nodes.
   std::vector<double> unknowns(const Function& temperature) const;
+  /// Unknowns of these temperatures of the nodes, by body.
+  std::vector<double> unknowns(std::span<const std::vector<double>> at_nodes) const;
   /// Temperatures of the nodes of a body without its axial node.
   std::vector<double> at_nodes(std::size_t body, std::span<const double> unknowns) const;
 
@@ -109,10 +127,23 @@ class Conduction final : public ode::ImplicitSystem {
   /// Steady temperatures at time t by Newton's method with a line search, to 1e-12 of the largest heat flow.
   /// @param y  in: start; out: the solution
   /// @throws ModelError naming a body that nothing holds at a temperature; SolverError without convergence
-  void steady(double t, std::span<double> y);
+  void steady(double t, std::span<double> y, const ContactAtNodes& contact = {});
   /// Sets given temperatures in y, and the rates with which the equations hold at t.
-  void make_consistent(double t, std::span<double> y, std::span<double> rate);
-  Balance balance(double t, std::span<const double> y, std::span<const double> rate) const;
+  void make_consistent(double t, std::span<double> y, std::span<double> rate, const ContactAtNodes& contact = {});
+  Balance balance(double t, std::span<const double> y, std::span<const double> rate,
+                  const ContactAtNodes& contact = {}) const;
+
+  /// The temperature is given there, whatever y says.
+  bool is_given(std::size_t unknown) const;
+  double given_value(std::size_t unknown, double t) const;
+  double given_rate(std::size_t unknown, double t) const;
+  /// What flows into the unknowns, q - K T; zero where the temperature is given.
+  void inflow(double t, std::span<const double> y, const ContactAtNodes& contact, std::span<double> into);
+  /// The lower triangle of conduction times K and capacity times C at these temperatures, with ones on the diagonal
+  /// where the temperature is given. It is valid until the next call of a non-const member.
+  const linalg::SparseMatrix& matrix(double t, std::span<const double> y, const ContactAtNodes& contact,
+                                     double conduction, double capacity);
+  bool has_constant_capacity() const;
 
   std::size_t n_factorizations() const;
 

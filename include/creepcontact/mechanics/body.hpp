@@ -67,12 +67,15 @@ class Body {
   /// u += sum of amplitudes x rigid-body modes (3 n_nodes)
   void add_free_motions(std::span<const double> amplitudes, std::span<double> displacement) const;
 
+  /// Temperatures of the nodes of its elements at time t; empty without a field. Cost: a search per node.
+  std::vector<double> temperature_at_nodes(double t) const;
   /// Temperature, moduli, thermal strain, loads and prescribed displacements at time t.
   /// @throws ModelError if one of them is not finite, or the elastic constants are not admissible
   BodyConditions at(double t) const;
   /// Updates conditions to those at time t. Skips what is constant in time or was evaluated for this time already.
   /// @param conditions  made by this body, or new
-  void update(double t, BodyConditions& conditions) const;
+  /// @param temperature  at the points, if it belongs to the state of a run; empty: that of the field
+  void update(double t, BodyConditions& conditions, std::span<const double> temperature = {}) const;
   /// True if the elastic constants depend on a temperature that changes in time.
   bool stiffness_changes() const;
 

@@ -21,7 +21,8 @@ class ContactSurfaces {
   io::FieldMesh mesh() const;
   /// Nodal arrays displacement, contact_pressure and gap; with friction in the model also contact_traction (vector, on
   /// the slave), contact_shear, slip and contact_status. The gap is NaN where the master is not opposite.
-  std::vector<io::FieldData> point_arrays(const creep::Equilibrium& at) const;
+  std::vector<io::FieldData> point_arrays(const creep::Equilibrium& at,
+                                           std::span<const heat::NodeOfInterface> heat = {}) const;
   /// Cell array contact: the number of the pair.
   std::vector<io::FieldData> cell_arrays() const;
   /// contact_pressure and gap at the nodes of all bodies, 0 elsewhere. A node of several surfaces gets the values of
@@ -37,7 +38,8 @@ class ContactSurfaces {
   using Values = std::vector<ContactValues>;  // per entry of Surface::nodes; gap NaN: the master is not opposite
   const contact::Pair& pair(const Surface& surface) const;
   const mesh::Mesh& body(const Surface& surface) const;
-  Values values(const Surface& surface, const creep::Equilibrium& at) const;
+  Values values(const Surface& surface, const creep::Equilibrium& at,
+                std::span<const heat::NodeOfInterface> heat = {}) const;
 
   const creep::Assembly& assembly_;
   std::vector<Surface> surfaces_;

@@ -4,6 +4,7 @@
 #include "creepcontact/contact/geometry/pair.hpp"
 #include "creepcontact/creep/assembly.hpp"
 #include "creepcontact/creep/equilibrium.hpp"
+#include "creepcontact/heat/local_values.hpp"
 
 namespace creepcontact::results {
 
@@ -16,6 +17,7 @@ struct ContactValues {
   double shear = 0;                                            ///< magnitude of the tangential traction
   double slip = 0;                                             ///< accumulated [length]; 0 without friction
   double closure = 0, largest_closure = 0, creep_closure = 0;  ///< of a gasket; see the quantities
+  double temperature_jump = 0, conductance = 0;  ///< of heat, means over the linear function of the node
   double status = 0;  ///< 0: open, 1: stick, 2: slip (a closed contact without friction slips)
 };
 
@@ -23,7 +25,9 @@ struct ContactValues {
 /// constructor evaluates the temperatures of all nodes; each node then costs a few operations.
 class PairValues {
  public:
-  PairValues(const contact::Pair& pair, const creep::Equilibrium& at);
+  /// @param heat  of the nodes of all pairs, or empty; must outlive the object
+  PairValues(const contact::Pair& pair, const creep::Equilibrium& at,
+             std::span<const heat::NodeOfInterface> heat = {});
 
   ContactValues operator[](std::size_t node) const;
   /// Distances of the surfaces at all nodes, weighted by their areas; with a gasket those from it as it is left, zero
@@ -35,6 +39,7 @@ class PairValues {
 
   const contact::Pair& pair_;
   const creep::Equilibrium& at_;
+  std::span<const heat::NodeOfInterface> heat_;
   std::vector<double> temperatures_, growth_;  // of the gasket
 };
 

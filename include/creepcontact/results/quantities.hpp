@@ -36,7 +36,7 @@ struct AtMultipliers {
   static constexpr bool is_sum = false;
   double ContactValues::*value;
   /// Which models have it in the field files.
-  enum class In { all, with_friction, with_gaskets } models = In::all;
+  enum class In { all, with_friction, with_gaskets, with_heat } models = In::all;
   bool in_body_files = true;  ///< also in the field files of bodies
 };
 
@@ -94,8 +94,14 @@ struct OnPlane {
   void (*evaluate)(const Resultant& resultant, double* components);
 };
 
+/// A surface: the heat that leaves the bodies through it.
+struct ThroughSurface {
+  static constexpr std::string_view places = "surface";
+  static constexpr bool is_sum = true;
+};
+
 using Support = std::variant<AtNodes, AtPoints, AtMultipliers, OverWidth, OnSpring, OnContactSurface, AreaInContact,
-                             OnSupports, OnCrossSection, OnPlane>;
+                             OnSupports, OnCrossSection, OnPlane, ThroughSurface>;
 
 struct OutputVariable {
   std::string name;
@@ -108,6 +114,8 @@ struct OutputVariable {
   std::string cell_array = {};   ///< the same of element means
   bool cylindrical = false;      ///< components about the z axis; a probe may turn the sample to another axis
   bool about_origin = false;     ///< a moment: the probe gives its `origin`
+  bool is_of_heat = false;       ///< exists without mechanics
+  bool needs_heat = false;       ///< only where the temperature is computed
   /// If not null, field files have the variable only if a material has this one.
   const material::StateVariable* state_variable = nullptr;
 

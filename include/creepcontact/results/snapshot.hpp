@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "creepcontact/creep/creep_system.hpp"
+#include "creepcontact/heat/local_values.hpp"
 
 namespace creepcontact::results {
 
@@ -18,6 +19,7 @@ struct Sample {
   Vector3 displacement = Vector3::Zero();
   Tensor6 stress = Tensor6::Zero(), strain = Tensor6::Zero(), creep_strain = Tensor6::Zero();
   double temperature = 0;
+  Vector3 heat_flux = Vector3::Zero();
   /// material::state_variables() in turn, StateVariable::width() numbers each; empty: all zero.
   std::vector<double> state = {};
 };
@@ -32,6 +34,12 @@ struct PointState {
   std::vector<double> values;
 };
 
+/// What is known of a body whose temperature is computed.
+struct BodyHeat {
+  std::vector<double> temperature;  ///< n_nodes; empty: it is not computed
+  std::vector<double> flux;         ///< n_points x 3
+};
+
 /// Fields of one body at its integration points, and smoothed at its nodes: these are computed at their first use. One
 /// thread at a time.
 class BodyFields {
@@ -39,7 +47,7 @@ class BodyFields {
   /// @param body, state  must outlive the object @param conditions, creep  of the same equilibrium; not used later
   /// @param variables  in the order of material::state_variables(); those that are missing are zero
   BodyFields(const mechanics::Body& body, const mechanics::BodyConditions& conditions, const creep::BodyState& state,
-             mechanics::CreepStrainView creep, std::vector<PointState> variables);
+             mechanics::CreepStrainView creep, std::vector<PointState> variables, BodyHeat heat);
 
   std::size_t n_nodes() const { return body_.mesh().n_cell_nodes(); }
   std::size_t n_points() const { return body_.discretization().n_points(); }
@@ -49,6 +57,8 @@ class BodyFields {
   /// The displacement is a nodal field and not available here: it is zero.
   Sample at_point(std::size_t point) const;
   const mechanics::Body& body() const { return body_; }
+  /// Temperatures of the nodes; empty unless they are computed.
+  const std::vector<double>& computed_temperature() const { return heat_.temperature; }
   /// Point values: n_points x 6 (Mandel order) for tensors, n_points for scalars.
   const std::vector<double>& point_values(PointField field) const { return points_[static_cast<std::size_t>(field)]; }
 
@@ -56,6 +66,7 @@ class BodyFields {
   /// Fields smoothed at the nodes.
   struct Nodal {
     std::vector<double> tensors, temperature;  // n_nodes x n_tensors x 6, n_nodes
+    std::vector<double> heat_flux;             // n_nodes x 3; empty: zero
     std::vector<double> state;                 // one row as Sample::state each; empty: all zero
   };
   const Nodal& nodal() const;
@@ -65,6 +76,7 @@ class BodyFields {
   std::array<std::vector<double>, n_tensors + 1> points_;  // indexed by PointField
   std::vector<PointState> variables_;
   std::vector<double> state_at_points_;  // one row as Sample::state each; empty: all zero
+  BodyHeat heat_;
   mutable std::optional<Nodal> nodal_;
 };
 
@@ -83,6 +95,11 @@ class Snapshot {
   bool has(const material::StateVariable& variable) const { return laws_.has(variable); }
   /// Fields of a body; computed at the first call.
   const BodyFields& fields(std::size_t body);
+  /// What passes the nodes of contact, of all pairs; empty unless the temperature is computed. Computed at the first
+  /// call.
+  const std::vector<heat::NodeOfInterface>& heat_of_contact();
+  /// Temperatures of the nodes of all bodies; empty unless they are computed.
+  const std::vector<std::vector<double>>& computed_temperatures();
   /// Support reactions of a body (3 n_nodes): nodal residual integral B^T sigma - F without the contact forces.
   /// Computed at the first call.
   const std::vector<double>& reactions(std::size_t body);
@@ -96,6 +113,8 @@ class Snapshot {
   const creep::Evaluation& at_;
   std::map<std::size_t, BodyFields> fields_;
   std::map<std::size_t, std::vector<double>> reactions_;
+  std::vector<std::vector<double>> temperatures_;
+  std::vector<heat::NodeOfInterface> heat_of_contact_;
   std::map<const Probe*, double> values_;
 };
 

@@ -50,7 +50,8 @@ std::vector<FacingFaces> facing_faces(const mesh::Mesh& first, const std::vector
       for (const SegmentPoint& point : segment.points) {
         const Vector3 position = slave.position(point.slave_xi);
         made.points.push_back({slave.in_section(position), point.weight, shape_values(slave.element(), point.slave_xi),
-                               shape_values(master.element(), point.master_xi)});
+                               shape_values(master.element(), point.master_xi),
+                               shape_values(slave.corner_element(), point.slave_xi)});
       }
       result.push_back(std::move(made));
     }

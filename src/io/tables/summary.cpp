@@ -1,5 +1,7 @@
 #include "creepcontact/io/tables/summary.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "creepcontact/platform/replace_file.hpp"
@@ -122,7 +124,24 @@ Json accuracy_json(const Summary::Accuracy& accuracy) {
   return json;
 }
 
+Json heat_json(const Summary::Heat& heat) {
+  Json json{{"flows", Json::object()}, {"contacts", Json::object()}, {"stored", heat.stored}, {"rest", heat.rest}};
+  for (const auto& [name, flow] : heat.flows) json["flows"][name] = flow;
+  for (const auto& [name, flow] : heat.contacts) json["contacts"][name] = flow;
+  if (heat.loop_gain) {
+    json["loop_gain"] = heat.loop_gain->value;
+    json["loop_gain_time"] = heat.loop_gain->time;
+  }
+  return json;
+}
+
 }  // namespace
+
+double Summary::Heat::largest() const {
+  double result = std::abs(stored);
+  for (const auto& [name, flow] : flows) result = std::max(result, std::abs(flow));
+  return result;
+}
 
 void write_summary(const std::filesystem::path& path, const Summary& summary) {
   Json json{{"title", summary.title}, {"units", summary.units}, {"version", summary.version}};
@@ -142,6 +161,7 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   json["bodies"] = bodies(summary);
   add_life(summary, json);
   if (summary.cycles) json["cycles"] = cycles_json(*summary.cycles);
+  if (summary.heat) json["heat"] = heat_json(*summary.heat);
   if (summary.friction_kappa) json["friction_kappa"] = *summary.friction_kappa;
   const auto& seconds = summary.wall_seconds;
   json["wall_seconds"]["total"] = seconds.total;

@@ -121,6 +121,22 @@ void read_accuracy(const nlohmann::json& json, Summary& summary) {
                       number(*found, "largest_step_error"), number_if_any(*found, "equilibrium_residual")};
 }
 
+void read_heat(const nlohmann::json& json, Summary& summary) {
+  const auto found = json.find("heat");
+  if (found == json.end()) return;
+  Summary::Heat& heat = summary.heat.emplace();
+  const auto read = [&](const char* key, std::vector<std::pair<std::string, double>>& into) {
+    if (const auto flows = found->find(key); flows != found->end() && flows->is_object())
+      for (const auto& [name, flow] : flows->items()) into.emplace_back(name, flow.is_number() ? flow.get<double>() : 0);
+  };
+  read("flows", heat.flows);
+  read("contacts", heat.contacts);
+  heat.stored = number(*found, "stored");
+  heat.rest = number(*found, "rest");
+  if (const auto gain = number_if_any(*found, "loop_gain"))
+    heat.loop_gain = {*gain, number(*found, "loop_gain_time")};
+}
+
 void read_wall_seconds(const nlohmann::json& json, Summary& summary) {
   summary.wall_seconds.total = json.at("total");
   for (std::size_t i = 0; i < run_parts.size(); ++i)
@@ -170,6 +186,7 @@ std::optional<Summary> parse_summary(std::string_view text) {
     read_cycles(json, summary);
     if (const auto rupture = json.find("rupture"); rupture != json.end())
       summary.rupture = {number(*rupture, "time"), rupture->value("body", ""), place_of(*rupture, "damage")};
+    read_heat(json, summary);
     summary.friction_kappa = number_if_any(json, "friction_kappa");
     summary.peak_memory_mb = number(json, "peak_memory_mb");
     return summary;

@@ -15,6 +15,7 @@ struct FacingFaces {
     Vector3 position;           ///< on the first face; in sections in their plane
     double area = 0;            ///< of the first body's surface that belongs to it
     ShapeValues first, second;  ///< shape functions of the faces there, one per node below
+    ShapeValues hats;           ///< linear functions of the corners of the first face, which come first among its nodes
   };
   /// Nodes of the meshes. In sections those of strips: each node of an edge twice.
   std::vector<std::int64_t> first_nodes, second_nodes;

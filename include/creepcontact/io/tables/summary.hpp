@@ -113,6 +113,23 @@ struct Summary : RunCounters {
     std::optional<double> equilibrium_residual;
   };
 
+  /// Heat at the end, per time of its data.
+  struct Heat {
+    std::vector<std::pair<std::string, double>> flows;     ///< into the bodies, by what supplies it
+    std::vector<std::pair<std::string, double>> contacts;  ///< across contacts, from the first surface to the second
+    double stored = 0;                                     ///< in the bodies
+    double rest = 0;                                       ///< what flows in less what is stored, zero but for errors
+    struct Gain {
+      double value = 0, time = 0;
+    };
+    /// How strongly contact and heat act on each other, the largest of all output times: the part of a change of
+    /// temperatures that comes back through pressure and conductance; above 1 the joint is unstable. Only if
+    /// conductances depend on contact.
+    std::optional<Gain> loop_gain = {};
+    /// The largest single flow.
+    double largest() const;
+  };
+
   /// True if the values of the end are those of the last output, and the run went on from there or should have.
   bool ended_early() const { return status == Status::failed || status == Status::interrupted; }
 
@@ -137,6 +154,7 @@ struct Summary : RunCounters {
   std::optional<Rupture> rupture;
   std::optional<Cycles> cycles;
   std::map<std::string, Contact> contacts;  ///< unilateral contacts, by name
+  std::optional<Heat> heat;
   std::optional<double> friction_kappa;     ///< largest of start and end; above 1 several states may be possible
   WallSeconds wall_seconds;
   double peak_memory_mb = 0;
