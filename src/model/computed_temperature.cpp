@@ -75,15 +75,9 @@ class HeatProblem {
   void add_bodies() {
     for (std::size_t b = 0; b < meshes_.size(); ++b) {
       const config::Material& material = config_.material(config_.bodies[b].material.name);
-      Function capacity = 0.0;
-      if (material.heat_capacity)
-        capacity = Function::composed(
-            fmt::format("{:.17g} times {}", *material.density, material.heat_capacity->text()),
-            {*material.heat_capacity},
-            [density = *material.density](const std::vector<double>& values) { return density * values[0]; });
       all_.bodies.push_back({config_.bodies[b].name, &meshes_[b], material.conductivity,
                              material.conductivity.size() == 3 ? material_axes(config_.bodies[b]) : std::nullopt,
-                             std::move(capacity)});
+                             material.heat_capacity.value_or(0.0), material.density.value_or(1)});
     }
   }
 

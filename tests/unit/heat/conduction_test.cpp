@@ -244,6 +244,25 @@ TEST(HeatHistory, OfASlabThatAFilmHeats) {
   }
 }
 
+/// Conductivities and capacities depend on the temperature, and steps grow and shrink.
+TEST(HeatHistory, KeepsFactors) {
+  const mesh::Mesh mesh = box_mesh(hex20, {12, 4, 4}, {30, 10, 10});
+  Definition all;
+  all.time_unit = 3600;
+  all.bodies = {{"block",
+                 &mesh,
+                 {Function::table("T", {20, 600}, {42, 29})},
+                 {},
+                 Function::table("T", {20, 600}, {4.6e8, 7.2e8}),
+                 7.8e-9}};
+  all.flows = {film(mesh, "x0", 1.0, Function::table("t", {0, 4}, {20, 550})), film(mesh, "x1", 0.05, 50.0)};
+  Conduction problem(std::move(all));
+  const History history = integrate(problem, problem.unknowns(20.0), {1e5, {4}, 0.05});
+  const auto n_steps = static_cast<std::size_t>(history.n_steps);
+  EXPECT_LT(problem.n_factorizations(), n_steps / 4);
+  EXPECT_LT(problem.n_passes(), 5 * n_steps);
+}
+
 TEST(HeatHistory, FollowsGivenTemperaturesThroughKinksAndJumps) {
   // Slow against the body: the temperature is the given one. A ramp, a hold, a jump.
   const mesh::Mesh mesh = box_mesh(hex8, {1, 1, 1});
