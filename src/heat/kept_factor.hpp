@@ -16,7 +16,8 @@ class KeptFactor {
   void set(const linalg::SparseMatrix& lower);
   /// Factors the matrix now. @throws linalg::SingularMatrix
   void factorize();
-  /// Of a solution, one of both: in the energy norm as part of the solution, or as the root mean square.
+  /// The error of a solution is at most one of both: in the energy norm as part of the solution, or as the root mean
+  /// square.
   struct Accuracy {
     double relative = 0, absolute = 0;
   };

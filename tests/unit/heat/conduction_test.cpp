@@ -160,9 +160,9 @@ TEST(Interface, PassesThePatchTest) {
       const std::vector<double> T = steady(problem, 0);
       const double q = 10 / (1 + 1 / h + 1.0 / 3);
       const std::vector<double> of_low = problem.at_nodes(0, T), of_high = problem.at_nodes(1, T);
-      for (std::size_t i = 0; i < of_low.size(); ++i) EXPECT_NEAR(of_low[i], 10 - q * low.nodes[i][axis], 1e-10);
+      for (std::size_t i = 0; i < of_low.size(); ++i) EXPECT_NEAR(of_low[i], 10 - q * low.nodes[i][axis], 1e-11);
       for (std::size_t i = 0; i < of_high.size(); ++i)
-        EXPECT_NEAR(of_high[i], q / 3 * (2 - high.nodes[i][axis]), 1e-10);
+        EXPECT_NEAR(of_high[i], q / 3 * (2 - high.nodes[i][axis]), 1e-11);
       EXPECT_NEAR(problem.balance(0, T, std::vector<double>(T.size())).interfaces[0], q, 1e-10 * q);
     }
   };
