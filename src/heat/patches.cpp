@@ -102,16 +102,17 @@ class Cell final : public Patch {
   void evaluate(const Moment& at, const Eigen::VectorXd& T, const Eigen::VectorXd& rate, Eigen::VectorXd& residual,
                 Eigen::MatrixXd* matrix) const override {
     const Column<most_points> at_points = table_.rows * T, rates = table_.rows * rate;
-    Column<3 * most_points> gradient = table_.reference * T;
-    Column<most_points> heats(rates.size());
+    const Column<3 * most_points> gradient = table_.reference * T;
+    Column<3 * most_points> fluxes = Column<3 * most_points>::Zero(gradient.size());
+    Column<most_points> heats = Column<most_points>::Zero(rates.size());
     for (Index q = 0; q < rates.size(); ++q) {
       const Point& point = points_[static_cast<std::size_t>(q)];
       const Vector3 here = point.to_place * gradient.segment<3>(3 * q);
-      gradient.segment<3>(3 * q) =
+      fluxes.segment<3>(3 * q) =
           point.to_place.transpose() * (point.weight * times_conductivity(q, at_points[q], here));
       heats[q] = rates[q] == 0 ? 0 : point.weight * capacity(at_points[q]) * rates[q];
     }
-    residual.noalias() = table_.reference.transpose() * gradient;
+    residual.noalias() = table_.reference.transpose() * fluxes;
     residual.noalias() += table_.rows.transpose() * heats;
     if (matrix == nullptr) return;
     matrix->setZero(T.size(), T.size());

@@ -55,7 +55,8 @@ creep::SolverOptions solver_options(const config::Config& config, const Bodies& 
   options.initial_substeps = config.contact_solver.initial_substeps;
   options.plastic_tolerance = 0.01 * config.time.tolerance;
   options.dense_limit_mb = config.contact_solver.dense_limit_mb;
-  options.refactor_change = config.temperature.value_or(config::Temperature{}).refactor_change;  // also computed ones
+  if (config.temperature) options.refactor_change = config.temperature->refactor_change;
+  if (config.heat) options.refactor_change = config.heat->refactor_change;
   return options;
 }
 

@@ -131,7 +131,7 @@ TEST(HeatCases, UndershootByTheElementBiotNumber) {
     for (const std::vector<double>& T : history.values) least = std::min(least, std::ranges::min(T));
     return -least;
   };
-  for (const auto [biot, part] : {std::pair{0.1, 0.001}, {1.0, 0.01}, {3.0, 0.025}}) {
+  for (const auto& [biot, part] : {std::pair{0.1, 0.001}, {1.0, 0.01}, {3.0, 0.025}}) {
     for (const CellType type : {hex20, hex27}) EXPECT_LT(undershoot(type, biot), part) << mesh::name(type);
     for (const CellType type : {hex8, wedge15}) EXPECT_LT(undershoot(type, biot), 4 * part) << mesh::name(type);
     for (const CellType type : {tet4, tet10, wedge6}) EXPECT_LT(undershoot(type, biot), 7 * part) << mesh::name(type);
