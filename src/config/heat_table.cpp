@@ -166,6 +166,15 @@ Value<Heat> heat_table() {
           .otherwise("true if no material has elastic constants"),
       field<HeatKeys>("tolerance", &HeatKeys::tolerance, number({.min = 1e-9, .max = 0.1}),
                       "error of temperatures, relative to the range of those given"),
+      field<HeatKeys>("refactor_change", &HeatKeys::refactor_change, number({.min = 0, .max = 0.5}),
+                      "relative change of the stiffness with temperature above which it is factorised again; affects "
+                      "the run time, not the results")
+          .changeable(),
+      field<HeatKeys>("keep", &HeatKeys::keep, path(),
+                      "file in which the computed temperatures are kept, for runs whose heat is the same: `run` and "
+                      "`check` read it if it fits, else they write it")
+          .changeable()
+          .otherwise("they are computed in each run"),
   });
   return converted<Heat>(
       keys,

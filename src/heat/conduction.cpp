@@ -7,22 +7,24 @@
 #include <exception>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "creepcontact/base/disjoint_sets.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
-#include "creepcontact/linalg/stiffness_solver.hpp"
 #include "creepcontact/numerics/parallel.hpp"
+#include "kept_factor.hpp"
 #include "patches.hpp"
 
 namespace creepcontact::heat {
 namespace {
 
 constexpr int most_iterations = 300;
-constexpr double steady_tolerance = 1e-12;  // of the largest flow at a node
-constexpr double least_part = 1e-4;         // of a Newton step
-constexpr int most_stalled = 4;             // iterations in which the residual has not halved
-constexpr double rounding_step = 1e-8;      // of the temperatures
+constexpr double steady_tolerance = 1e-12;                         // of the largest flow at a node
+constexpr double least_part = 1e-4;                                // of a Newton step
+constexpr double of_a_newton_step = 1e-6, of_a_correction = 3e-2;  // errors of solutions
+constexpr int most_stalled = 4;        // iterations in which the residual has not halved
+constexpr double rounding_step = 1e-8;  // of the temperatures
 constexpr std::int32_t not_stored = -1;
 
 double norm(std::span<const double> values) {
@@ -85,16 +87,26 @@ struct Conduction::Impl {
 
   /// Where in the matrix the entries of the patches are, column by column.
   void make_pattern() {
-    std::vector<Eigen::Triplet<double, std::int64_t>> entries;
     const auto is_stored = [&](int i, int j) { return i >= j && (i == j || (given[i] < 0 && given[j] < 0)); };
+    const std::size_t n = places.size();
+    std::vector<std::vector<const Patch*>> patches_of(n);
     for (const auto& patch : patches)
       for (const int j : patch->nodes)
+        if (patches_of[j].empty() || patches_of[j].back() != patch.get()) patches_of[j].push_back(patch.get());
+    std::vector<std::int64_t> starts{0}, rows;
+    std::vector<int> found_for(n, -1);  // the last column that has this row
+    for (int j = 0; j < static_cast<int>(n); ++j) {
+      rows.push_back(j);
+      found_for[j] = j;
+      for (const Patch* patch : patches_of[j])
         for (const int i : patch->nodes)
-          if (is_stored(i, j)) entries.emplace_back(i, j, 0.0);
-    const auto n = static_cast<std::int64_t>(places.size());
-    for (std::int64_t i = 0; i < n; ++i) entries.emplace_back(i, i, 0.0);
-    matrix.resize(n, n);
-    matrix.setFromTriplets(entries.begin(), entries.end());
+          if (is_stored(i, j) && std::exchange(found_for[i], j) != j) rows.push_back(i);
+      std::sort(rows.begin() + starts.back(), rows.end());
+      starts.push_back(std::ssize(rows));
+    }
+    const std::vector<double> zeros(rows.size(), 0.0);
+    matrix = Eigen::Map<const linalg::SparseMatrix>(std::ssize(places), std::ssize(places), std::ssize(rows),
+                                                    starts.data(), rows.data(), zeros.data());
     for (const auto& patch : patches)
       for (const int j : patch->nodes) {
         const auto *begin = matrix.innerIndexPtr() + matrix.outerIndexPtr()[j],
@@ -135,7 +147,9 @@ struct Conduction::Impl {
     numerics::for_each_index(patches.size(), numerics::parallel_elements, [&](std::size_t p) {
       const Patch& patch = *patches[p];
       const auto n = std::ssize(patch.nodes);
-      Eigen::VectorXd own(n), own_rate(n);
+      thread_local Eigen::VectorXd own, own_rate;  // no allocations
+      own.resize(n);
+      own_rate.resize(n);
       for (Index i = 0; i < n; ++i) {
         own[i] = T[patch.nodes[static_cast<std::size_t>(i)]];
         own_rate[i] = T_rate[patch.nodes[static_cast<std::size_t>(i)]];
@@ -163,29 +177,50 @@ struct Conduction::Impl {
       }
   }
 
-  void assemble() {
-    std::fill_n(matrix.valuePtr(), matrix.nonZeros(), 0.0);
+  /// Adds the matrices of the patches.
+  void gather_matrices(Eigen::Ref<Eigen::VectorXd> into) const {
+    into.setZero();
     std::size_t k = 0;
-    for (std::size_t p = 0; p < patches.size(); ++p) {
+    for (const Eigen::MatrixXd& matrix_of_patch : matrices)
+      for (const double value : matrix_of_patch.reshaped())
+        if (const std::int32_t at = positions[k++]; at != not_stored) into[at] += value;
+  }
+  void gather_capacities() {
+    numerics::for_each_index(patches.size(), numerics::parallel_elements, [&](std::size_t p) {
       const auto n = std::ssize(patches[p]->nodes);
-      for (Index j = 0; j < n; ++j)
-        for (Index i = 0; i < n; ++i, ++k)
-          if (positions[k] != not_stored) matrix.valuePtr()[positions[k]] += matrices[p](i, j);
-    }
+      thread_local Eigen::VectorXd own;
+      own.resize(n);
+      for (Index i = 0; i < n; ++i) own[i] = T[patches[p]->nodes[static_cast<std::size_t>(i)]];
+      if (!patches[p]->capacities(own, matrices[p])) matrices[p].setZero(n, n);
+    });
+    capacities.resize(matrix.nonZeros());
+    gather_matrices(capacities);
+  }
+  void hold_given() {
     for (std::size_t u = 0; u < given.size(); ++u)
       if (given[u] >= 0) matrix.valuePtr()[matrix.outerIndexPtr()[u]] = 1;  // the diagonal is the first of its column
   }
 
-  void factorize() {
-    assemble();
-    if (!solver) {
-      std::vector<std::int64_t> block(places.size());
-      std::iota(block.begin(), block.end(), std::int64_t{0});
-      solver = linalg::default_stiffness_solver({matrix, block, {}, {}});
-    }
-    ++n_factorizations;
+  /// The matrix of the last evaluation.
+  void assemble() {
+    gather_matrices(Eigen::Map<Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros()));
+    hold_given();
+    factor.set(matrix);
+  }
+  /// The matrix becomes conduction + c capacities.
+  void shift(double c) {
+    if (c == shifted_by) return;
+    Eigen::Map<Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros()) = conduction + c * capacities;
+    hold_given();
+    factor.set(matrix);
+    shifted_by = c;
+  }
+
+  /// @param work  with the factor, which may be singular
+  template <typename Work>
+  void with_factor(const Work& work) {
     try {
-      solver->factorize(matrix);
+      work();
     } catch (const linalg::SingularMatrix& singular) {
       const std::string& name =
           definition.bodies[bodies[static_cast<std::size_t>(std::max<std::int64_t>(singular.row, 0))]].name;
@@ -195,10 +230,11 @@ struct Conduction::Impl {
           name));
     }
   }
-
-  void solve(std::span<double> x) {
-    solver->forward(x, x);
-    solver->backward(x, x);
+  void factorize() {
+    with_factor([&] { factor.factorize(); });
+  }
+  void solve(std::span<double> x, KeptFactor::Accuracy accuracy) {
+    with_factor([&] { factor.solve(x, accuracy); });
   }
 
   static constexpr double small_part = 1e-6;  // of a segment, for derivatives
@@ -214,9 +250,10 @@ struct Conduction::Impl {
   std::vector<Eigen::VectorXd> residuals;
   std::vector<Eigen::MatrixXd> matrices;
   Eigen::VectorXd T, T_rate;
-  std::unique_ptr<linalg::StiffnessSolver> solver;
+  KeptFactor factor;
+  Eigen::VectorXd conduction, capacities;  // parts of the entries of the matrix, as prepared
+  double shifted_by = std::numeric_limits<double>::quiet_NaN();
   double segment_begin = -std::numeric_limits<double>::infinity(), segment_end = -segment_begin;
-  std::size_t n_factorizations = 0;
 };
 
 Conduction::Conduction(Definition definition) : impl_(std::make_unique<Impl>(std::move(definition))) {}
@@ -229,7 +266,10 @@ std::size_t Conduction::size() const {
   return impl_->places.size();
 }
 std::size_t Conduction::n_factorizations() const {
-  return impl_->n_factorizations;
+  return impl_->factor.n_factorizations();
+}
+std::size_t Conduction::n_passes() const {
+  return impl_->factor.n_passes();
 }
 const std::vector<std::vector<int>>& Conduction::unknown_of() const {
   return impl_->unknown_of;
@@ -270,12 +310,20 @@ void Conduction::residual(double t, std::span<const double> y, std::span<const d
 
 void Conduction::prepare(double t, std::span<const double> y, std::span<const double> rate, double c) {
   impl_->complete(t, y, rate);
-  impl_->evaluate({.t = t, .conduction = 1, .capacity = c}, true);
-  impl_->factorize();
+  impl_->evaluate({.t = t}, true);
+  impl_->conduction.resize(impl_->matrix.nonZeros());
+  impl_->gather_matrices(impl_->conduction);
+  impl_->gather_capacities();
+  impl_->shifted_by = std::numeric_limits<double>::quiet_NaN();
+  impl_->shift(c);
 }
 
-void Conduction::solve(std::span<double> x) {
-  impl_->solve(x);
+void Conduction::shift(double c) {
+  impl_->shift(c);
+}
+
+void Conduction::solve(std::span<double> x, double tolerance) {
+  impl_->solve(x, {of_a_correction, tolerance});
 }
 
 void Conduction::steady(double t, std::span<double> y, const ContactAtNodes& contact) {
@@ -300,9 +348,10 @@ void Conduction::steady(double t, std::span<double> y, const ContactAtNodes& con
     const double allowed = steady_tolerance * *std::ranges::max_element(scale);
     if (iteration > 0 && std::ranges::all_of(residual, [&](double value) { return std::abs(value) <= allowed; }))
       return;
-    own.factorize();
+    own.assemble();
+    if (iteration == 0) own.factorize();
     step = residual;
-    own.solve(step);
+    own.solve(step, {of_a_newton_step});
     const double size_of_step = norm(step);
     for (double part = 1;; part /= 2) {
       for (std::size_t u = 0; u < size(); ++u) trial[u] = y[u] - part * step[u];
@@ -334,8 +383,9 @@ void Conduction::make_consistent(double t, std::span<double> y, std::span<double
   own.gather(residual);
   for (std::size_t u = 0; u < size(); ++u)
     if (own.given[u] >= 0) residual[u] = 0;
+  own.assemble();
   own.factorize();
-  own.solve(residual);
+  own.solve(residual, {});
   for (std::size_t u = 0; u < size(); ++u) rate[u] = own.given[u] >= 0 ? own.given_rate(u, t) : -residual[u];
 }
 
@@ -364,7 +414,8 @@ const linalg::SparseMatrix& Conduction::matrix(double t, std::span<const double>
                                                double conduction, double capacity) {
   impl_->complete(t, y, {});
   impl_->evaluate({.t = t, .conduction = conduction, .capacity = capacity, .contact = contact}, true);
-  impl_->assemble();
+  impl_->gather_matrices(Eigen::Map<Eigen::VectorXd>(impl_->matrix.valuePtr(), impl_->matrix.nonZeros()));
+  impl_->hold_given();
   return impl_->matrix;
 }
 

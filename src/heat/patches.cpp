@@ -44,7 +44,11 @@ struct Table {
       element.gradient(xi, gradients.emplace_back(element.n_nodes(), 3));
     }
     rows.resize(rule.size(), element.n_nodes());
-    for (Index q = 0; q < rule.size(); ++q) rows.row(q) = shapes[static_cast<std::size_t>(q)].transpose();
+    reference.resize(3 * rule.size(), element.n_nodes());
+    for (Index q = 0; q < rule.size(); ++q) {
+      rows.row(q) = shapes[static_cast<std::size_t>(q)].transpose();
+      reference.middleRows<3>(3 * q) = gradients[static_cast<std::size_t>(q)].transpose();
+    }
   }
   static const Table& of(mesh::CellType type) {
     static std::map<mesh::CellType, Table> all;
@@ -55,7 +59,8 @@ struct Table {
   fem::QuadratureRule rule;
   std::vector<Eigen::VectorXd> shapes;
   std::vector<Eigen::MatrixX3d> gradients;
-  Eigen::MatrixXd rows;  ///< the shapes, one row per point
+  Eigen::MatrixXd rows;       ///< the shapes, one row per point
+  Eigen::MatrixXd reference;  ///< the gradients, three rows per point
 };
 
 Eigen::Matrix3Xd coordinates(const mesh::Mesh& mesh, std::span<const std::int64_t> nodes) {
@@ -74,87 +79,96 @@ std::vector<int> unknowns(std::span<const std::int64_t> nodes, const std::vector
   return result;
 }
 
-/// @param axes  null: those of space
-Matrix3 conductivity_along(const Conductor& body, double T, const Matrix3* axes) {
-  const std::vector<Function>& along = body.conductivity;
-  if (along.size() == 1) return along.front()({.T = T}) * Matrix3::Identity();
-  const Matrix3 own = Vector3(along[0]({.T = T}), along[1]({.T = T}), along[2]({.T = T})).asDiagonal();
-  return axes == nullptr ? own : *axes * own * axes->transpose();
-}
+constexpr int most_nodes = 27, most_points = 27;  // of a cell, for arrays without allocation
+template <int Rows>
+using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Rows, 1>;
+template <int Rows>
+using OfNodes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Rows, most_nodes>;
 
-/// A cell of a body: conduction and capacity.
+/// A cell of a body: conduction and capacity. Gradients are those in the reference cell, which all share.
 class Cell final : public Patch {
  public:
   Cell(const Conductor& body, mesh::CellType type, std::span<const std::int64_t> cell, double time_unit)
       : body_(body), table_(Table::of(type)), time_unit_(time_unit) {
     const Eigen::Matrix3Xd x = coordinates(*body.mesh, cell);
     const mesh::Section& section = body.mesh->section;
-    const Index n_points = table_.rule.size();
-    gradients_.resize(3 * n_points, x.cols());
-    for (Index q = 0; q < n_points; ++q) {
-      const Eigen::MatrixX3d& gradient = table_.gradients[static_cast<std::size_t>(q)];
-      const Matrix3 J = fem::jacobian(table_.element, x, gradient);
-      gradients_.middleRows<3>(3 * q) = J.inverse().transpose() * gradient.transpose();
-      if (section.dimension() == 2) gradients_.row(3 * q + 2).setZero();
+    for (Index q = 0; q < table_.rule.size(); ++q) {
+      Point& point = points_.emplace_back();
+      const Matrix3 J = fem::jacobian(table_.element, x, table_.gradients[static_cast<std::size_t>(q)]);
+      point.to_place = J.inverse().transpose();
+      if (section.dimension() == 2) point.to_place.row(2).setZero();
       const Vector3 place = x * table_.shapes[static_cast<std::size_t>(q)];
-      weights_.push_back(table_.rule.weights[q] * std::abs(J.determinant()) * section.depth(place));
+      point.weight = table_.rule.weights[q] * std::abs(J.determinant()) * section.depth(place);
       if (body.axes && body.conductivity.size() == 3) axes_.push_back(body.axes->at(place));
     }
-    bool is_linear = !body.capacity.depends_on_temperature();
-    for (const Function& k : body.conductivity) is_linear = is_linear && !k.depends_on_temperature();
-    if (!is_linear) return;
-    const Eigen::VectorXd none = Eigen::VectorXd::Zero(n_points);
-    set_matrix({.conduction = 1, .capacity = 0}, none, conduction_);
-    set_matrix({.conduction = 0, .capacity = 1}, none, capacity_);
-    gradients_.resize(0, 0);
   }
 
   void evaluate(const Moment& at, const Eigen::VectorXd& T, const Eigen::VectorXd& rate, Eigen::VectorXd& residual,
                 Eigen::MatrixXd* matrix) const override {
-    if (gradients_.size() == 0) {
-      residual.noalias() = conduction_ * T + capacity_ * rate;
-      if (matrix != nullptr) *matrix = at.conduction * conduction_ + at.capacity * capacity_;
-      return;
-    }
-    const Eigen::VectorXd at_points = table_.rows * T;
-    const Eigen::VectorXd rates = table_.rows * rate, gradient = gradients_ * T;
-    residual.setZero(T.size());
+    const Column<most_points> at_points = table_.rows * T, rates = table_.rows * rate;
+    const Column<3 * most_points> gradient = table_.reference * T;
+    Column<3 * most_points> fluxes = Column<3 * most_points>::Zero(gradient.size());
+    Column<most_points> heats = Column<most_points>::Zero(rates.size());
     for (Index q = 0; q < rates.size(); ++q) {
-      const double weight = weights_[static_cast<std::size_t>(q)];
-      const Vector3 flux = weight * (conductivity(q, at_points[q]) * gradient.segment<3>(3 * q));
-      residual += gradients_.middleRows<3>(3 * q).transpose() * flux;
-      residual += weight * capacity(at_points[q]) * rates[q] * table_.shapes[static_cast<std::size_t>(q)];
+      const Point& point = points_[static_cast<std::size_t>(q)];
+      const Vector3 here = point.to_place * gradient.segment<3>(3 * q);
+      fluxes.segment<3>(3 * q) =
+          point.to_place.transpose() * (point.weight * times_conductivity(q, at_points[q], here));
+      heats[q] = rates[q] == 0 ? 0 : point.weight * capacity(at_points[q]) * rates[q];
     }
-    if (matrix != nullptr) set_matrix(at, at_points, *matrix);
+    residual.noalias() = table_.reference.transpose() * fluxes;
+    residual.noalias() += table_.rows.transpose() * heats;
+    if (matrix == nullptr) return;
+    matrix->setZero(T.size(), T.size());
+    if (at.conduction != 0) add_conduction(at.conduction, at_points, *matrix);
+    if (at.capacity != 0) add_capacities(at.capacity, at_points, *matrix);
+  }
+
+  bool capacities(const Eigen::VectorXd& T, Eigen::MatrixXd& matrix) const override {
+    matrix.setZero(T.size(), T.size());
+    add_capacities(1, table_.rows * T, matrix);
+    return true;
   }
 
  private:
-  double capacity(double T) const { return body_.capacity({.T = T}) / time_unit_; }
-  Matrix3 conductivity(Index point, double T) const {
-    return conductivity_along(body_, T, axes_.empty() ? nullptr : &axes_[static_cast<std::size_t>(point)]);
-  }
+  struct Point {
+    Matrix3 to_place;  ///< from gradients in the reference cell
+    double weight = 0;
+  };
 
-  /// @param T  at the points @param matrix  overwritten
-  void set_matrix(const Moment& at, const Eigen::VectorXd& T, Eigen::MatrixXd& matrix) const {
-    Eigen::MatrixXd fluxes(gradients_.rows(), gradients_.cols());
-    Eigen::VectorXd capacities(T.size());
+  double capacity(double T) const { return body_.density * body_.capacity({.T = T}) / time_unit_; }
+  Vector3 times_conductivity(Index point, double T, const Vector3& gradient) const {
+    const std::vector<Function>& along = body_.conductivity;
+    if (along.size() == 1) return along.front()({.T = T}) * gradient;
+    const Vector3 own(along[0]({.T = T}), along[1]({.T = T}), along[2]({.T = T}));
+    if (axes_.empty()) return own.cwiseProduct(gradient);
+    const Matrix3& axes = axes_[static_cast<std::size_t>(point)];
+    return axes * own.cwiseProduct(axes.transpose() * gradient);
+  }
+  /// @param T  at the points
+  void add_conduction(double factor, const Column<most_points>& T, Eigen::MatrixXd& matrix) const {
+    OfNodes<3 * most_points> fluxes(table_.reference.rows(), matrix.cols());
     for (Index q = 0; q < T.size(); ++q) {
-      const double weight = weights_[static_cast<std::size_t>(q)];
-      const Matrix3 k = at.conduction * weight * conductivity(q, T[q]);
-      fluxes.middleRows<3>(3 * q).noalias() = k * gradients_.middleRows<3>(3 * q);
-      capacities[q] = at.capacity * weight * capacity(T[q]);
+      const Point& point = points_[static_cast<std::size_t>(q)];
+      Matrix3 k;
+      for (int i = 0; i < 3; ++i) k.col(i) = times_conductivity(q, T[q], point.to_place.col(i));
+      k = factor * point.weight * point.to_place.transpose() * k;
+      fluxes.middleRows<3>(3 * q).noalias() = k * table_.reference.middleRows<3>(3 * q);
     }
-    matrix.noalias() =
-        gradients_.transpose() * fluxes + table_.rows.transpose() * capacities.asDiagonal() * table_.rows;
+    matrix.noalias() += table_.reference.transpose() * fluxes;
+  }
+  void add_capacities(double factor, const Column<most_points>& T, Eigen::MatrixXd& matrix) const {
+    OfNodes<most_points> weighted(T.size(), matrix.cols());
+    for (Index q = 0; q < T.size(); ++q)
+      weighted.row(q) = factor * points_[static_cast<std::size_t>(q)].weight * capacity(T[q]) * table_.rows.row(q);
+    matrix.noalias() += table_.rows.transpose() * weighted;
   }
 
   const Conductor& body_;
   const Table& table_;
   double time_unit_;
-  std::vector<double> weights_;
+  std::vector<Point> points_;
   std::vector<Matrix3> axes_;  // of orthotropic bodies, at the points
-  Eigen::MatrixXd gradients_;  // three rows per point; empty if nothing depends on T, and then:
-  Eigen::MatrixXd conduction_, capacity_;
 };
 
 /// A film, a flux or radiation on a face; or a flux that is a source, per volume of a cell.
@@ -257,9 +271,12 @@ Patches patches_of_cells(const Conductor& body, const std::vector<int>& unknown_
 }  // namespace
 
 Matrix3 conductivity(const Conductor& body, double T, const Vector3& place) {
-  if (!body.axes || body.conductivity.size() == 1) return conductivity_along(body, T, nullptr);
+  const std::vector<Function>& along = body.conductivity;
+  if (along.size() == 1) return along.front()({.T = T}) * Matrix3::Identity();
+  const Matrix3 own = Vector3(along[0]({.T = T}), along[1]({.T = T}), along[2]({.T = T})).asDiagonal();
+  if (!body.axes) return own;
   const Matrix3 axes = body.axes->at(place);
-  return conductivity_along(body, T, &axes);
+  return axes * own * axes.transpose();
 }
 
 double conductance(const Interface& interface, const contact::FacingFaces& faces,

@@ -26,6 +26,8 @@ class Patch {
   /// @param T, rate  of its nodes @param matrix  if not null: its symmetric part
   virtual void evaluate(const Moment& at, const Eigen::VectorXd& T, const Eigen::VectorXd& rate,
                         Eigen::VectorXd& residual, Eigen::MatrixXd* matrix) const = 0;
+  /// The part of the matrix that belongs to the rates. @return false: there is none
+  virtual bool capacities(const Eigen::VectorXd& /*T*/, Eigen::MatrixXd& /*matrix*/) const { return false; }
   std::vector<int> nodes;
 };
 

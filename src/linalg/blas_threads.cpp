@@ -34,10 +34,14 @@ BlasFactorization::BlasFactorization() {
   if (decided) return;
   lock_ = std::unique_lock(mutex);
   set_threads(all_cores());
+  levels_ = omp_get_max_active_levels();
+  if (all_cores() == 1) omp_set_max_active_levels(0);
 }
 
 BlasFactorization::~BlasFactorization() {
-  if (lock_.owns_lock()) set_threads(1);
+  if (!lock_.owns_lock()) return;
+  set_threads(1);
+  omp_set_max_active_levels(levels_);
 }
 
 bool side_by_side(std::span<const double> entries, int threads) {

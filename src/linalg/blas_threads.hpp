@@ -7,7 +7,8 @@
 namespace creepcontact::linalg {
 
 /// While one lives, the BLAS uses all cores OpenMP may use, and no other thread factorises. Without OpenBLAS only the
-/// latter. Within for_each_factorization() it does nothing: that has decided.
+/// latter. Where OpenMP may use one core CHOLMOD uses no more: its loops would wake four threads otherwise, thousands
+/// of times. Within for_each_factorization() it does nothing: that has decided.
 class BlasFactorization {
  public:
   BlasFactorization();
@@ -17,6 +18,7 @@ class BlasFactorization {
 
  private:
   std::unique_lock<std::mutex> lock_;
+  int levels_ = 0;  // of parallel regions within each other, before
 };
 
 }  // namespace creepcontact::linalg

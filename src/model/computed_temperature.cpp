@@ -1,6 +1,7 @@
 #include "computed_temperature.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include "creepcontact/config/configured.hpp"
 #include "creepcontact/heat/history.hpp"
 #include "heat_remarks.hpp"
+#include "kept_temperatures.hpp"
 
 namespace creepcontact::model {
 namespace {
@@ -67,11 +69,23 @@ class HeatProblem {
 
   ComputedTemperature solve() {
     heat::Conduction problem(std::move(all_));
-    std::vector<double> start = problem.unknowns(heat_.start.value_or(guess()));
-    if (!heat_.start) problem.steady(0, start);
     const bool is_coupled = config_.has_coupled_heat();
     const bool is_steady = !heat_.start && !config::heat_changes_in_time(config_) && !is_coupled;
     const double end = is_steady ? 0 : config_.time.end;
+    const std::vector<double> smooth_between = kinks(end);
+    std::string fingerprint;
+    if (heat_.keep && !is_coupled) {
+      fingerprint = heat_fingerprint(problem.definition(),
+                                     fmt::format("start\t{}\ntime.end\t{:.17g}\nbreakpoints\t{}\ntolerance\t{:.17g}\n",
+                                                 heat_.start ? heat_.start->text() : "steady", end,
+                                                 fmt::join(smooth_between, ", "), heat_.tolerance));
+      if (const auto kept = read_kept(*heat_.keep, fingerprint, problem.size())) {
+        if (end > 0) tell_of_heat(heat_, problem, kept->values.front(), end);
+        return {field(problem, *kept, false), creep::HeatModel{.definition = problem.definition(), .is_steady = end == 0}};
+      }
+    }
+    std::vector<double> start = problem.unknowns(heat_.start.value_or(guess()));
+    if (!heat_.start) problem.steady(0, start);
     if (end > 0) tell_of_heat(heat_, problem, start, end);
     const Interval range = range_of_temperatures(problem, start);
     if (is_coupled) {
@@ -87,8 +101,9 @@ class HeatProblem {
                                .unknown_of = problem.unknown_of()}};
     }
     const double allowed = heat_.tolerance * std::max(range.high - range.low, std::numeric_limits<double>::min());
-    const heat::History history = heat::integrate(problem, start, {end, kinks(end), allowed});
+    const heat::History history = heat::integrate(problem, start, {end, smooth_between, allowed});
     tell(problem, history);
+    if (heat_.keep) write_kept(*heat_.keep, fingerprint, history);
     return {field(problem, history, false), creep::HeatModel{.definition = problem.definition(), .is_steady = end == 0}};
   }
 
@@ -101,15 +116,9 @@ class HeatProblem {
   void add_bodies() {
     for (std::size_t b = 0; b < meshes_.size(); ++b) {
       const config::Material& material = config_.material(config_.bodies[b].material.name);
-      Function capacity = 0.0;
-      if (material.heat_capacity)
-        capacity = Function::composed(
-            fmt::format("{:.17g} times {}", *material.density, material.heat_capacity->text()),
-            {*material.heat_capacity},
-            [density = *material.density](const std::vector<double>& values) { return density * values[0]; });
       all_.bodies.push_back({config_.bodies[b].name, &meshes_[b], material.conductivity,
                              material.conductivity.size() == 3 ? material_axes(config_.bodies[b]) : std::nullopt,
-                             std::move(capacity)});
+                             material.heat_capacity.value_or(0.0), material.density.value_or(1)});
     }
   }
 

@@ -38,7 +38,8 @@ void tell_of_heat(const config::Heat& heat, const heat::Conduction& problem, std
     const heat::Conductor& body = all.bodies[b];
     const Arguments at{.T = problem.at_nodes(b, start).front()};
     const double depth = depth_of(*body.mesh);
-    const double time = depth * depth * body.capacity(at) / body.conductivity.front()(at) / all.time_unit;
+    const double time =
+        depth * depth * body.density * body.capacity(at) / body.conductivity.front()(at) / all.time_unit;
     log::info(
         "heat: body '{}' heats through in about {:.3g} units of t (half of its smallest extent, squared, over "
         "the diffusivity)",

@@ -57,6 +57,7 @@ creep::SolverOptions solver_options(const config::Config& config, const Bodies& 
   options.plastic_tolerance = 0.01 * config.time.tolerance;
   options.dense_limit_mb = config.contact_solver.dense_limit_mb;
   if (config.temperature) options.refactor_change = config.temperature->refactor_change;
+  if (config.heat) options.refactor_change = config.heat->refactor_change;
   return options;
 }
 

@@ -80,6 +80,18 @@ TEST(Heat, DrivesStressAndCreepAsTheSameFieldDoes) {
     EXPECT_NEAR(computed.at("force", t), field.at("force", t), 1e-4 * std::abs(field.at("force", 0))) << t;
 }
 
+/// A stiffness that changes by 2 % is solved with the factors of the start, as with a field that is given.
+TEST(Heat, DoesNotFactorizeTheStiffnessInEveryStep) {
+  std::string toml =
+      stack("start = 100\ntime_unit = 1\n" + ends, "conductance = 2", "[time]\nend = 10\noutput = [1, 2, 5]\n", 1e-14);
+  for (std::size_t at; (at = toml.find("young_modulus = 1e5")) != std::string::npos ||
+                       (at = toml.find("young_modulus = 100000")) != std::string::npos;)
+    toml.replace(at, toml.find('\n', at) - at, "young_modulus = { T = [0, 100], values = [1.02e5, 1e5] }");
+  const Outcome outcome = run_case(toml, geo);
+  EXPECT_GT(outcome.summary.number("elastic_solves"), 5);
+  EXPECT_EQ(outcome.summary.number("factorizations"), 2) << "one per body";
+}
+
 /// A slab that a film heats from one side: the closed form at Bi = 0.5, Fo = 0.5, with t in hours and data per second.
 TEST(Heat, OverTheTimeInHours) {
   const std::string slab = boxes_geo({{"slab", {0, 0, 0}, {1, 1, 1}, {2, 2, 6}}});

@@ -288,8 +288,10 @@ struct Heat {
   std::vector<HeatRadiation> radiation;
   std::vector<HeatSource> sources;
   std::optional<double> stefan_boltzmann, absolute_zero;
-  double tolerance = 1e-4;    ///< of temperatures, relative to their range
-  std::optional<bool> alone;  ///< without mechanics; nullopt: if no material has elastic constants
+  double tolerance = 1e-4;                    ///< of temperatures, relative to their range
+  double refactor_change = 0.05;              ///< as Temperature::refactor_change
+  std::optional<std::filesystem::path> keep;  ///< file of the computed temperatures, for other runs
+  std::optional<bool> alone;                  ///< without mechanics; nullopt: if no material has elastic constants
   Location location;
 };
 

@@ -24,7 +24,8 @@ struct Conductor {
   const mesh::Mesh* mesh = nullptr;    ///< must outlive the problem
   std::vector<Function> conductivity;  ///< of T: one, or three along the material axes
   std::optional<mechanics::MaterialAxes> axes;
-  Function capacity;  ///< of T: heat per volume and degree
+  Function capacity;  ///< of T: heat per mass and degree; per volume and degree if the density is 1
+  double density = 1;
 };
 
 /// What flows through a surface: inwards h (T_f - T), the flux, or sigma eps (T_a^4 - T^4) from absolute zero.
@@ -100,7 +101,8 @@ struct Balance {
 };
 
 /// One unknown per temperature; nodes that share one have it together. The symmetric part of the Jacobian is factored
-/// (linalg::default_stiffness_solver), without derivatives of conductivities and coefficients.
+/// (linalg::default_stiffness_solver), without derivatives of conductivities and coefficients. The factor is kept for
+/// others near it, which conjugate gradients solve.
 class Conduction final : public ode::ImplicitSystem {
  public:
   /// @throws ModelError if a body has no conductivity
@@ -122,7 +124,8 @@ class Conduction final : public ode::ImplicitSystem {
   void set_segment(double begin, double end);
   void residual(double t, std::span<const double> y, std::span<const double> rate, std::span<double> residual) override;
   void prepare(double t, std::span<const double> y, std::span<const double> rate, double c) override;
-  void solve(std::span<double> x) override;
+  void shift(double c) override;
+  void solve(std::span<double> x, double tolerance) override;
 
   /// Steady temperatures at time t by Newton's method with a line search, to 1e-12 of the largest heat flow.
   /// @param y  in: start; out: the solution
@@ -146,6 +149,8 @@ class Conduction final : public ode::ImplicitSystem {
   bool has_constant_capacity() const;
 
   std::size_t n_factorizations() const;
+  /// Passes through the factors.
+  std::size_t n_passes() const;
 
  private:
   struct Impl;

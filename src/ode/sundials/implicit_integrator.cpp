@@ -22,7 +22,10 @@ namespace creepcontact::ode {
 
 namespace {
 
-constexpr long most_steps = 1'000'000;  // of one start
+constexpr long most_steps = 1'000'000;        // of one start
+constexpr double most_growth = 4;             // of a step: where a system comes to rest
+constexpr double of_a_correction = 0.003;     // the error in it, of the tolerance
+constexpr double shift_before_prepare = 0.9;  // (a - b)/(a + b) of two coefficients c: by a factor of 19
 
 struct IdaDeleter {
   void operator()(void* memory) const { IDAFree(&memory); }
@@ -86,7 +89,10 @@ struct ImplicitIntegrator::Ida {
     const int failed = me.guarded([&] {
       const std::span<double> from = me.entries(b), into = me.entries(x);
       std::ranges::copy(from, into.begin());
-      me.system.solve(into);
+      double c = 0;
+      require_success(IDAGetCurrentCj(me.memory.get(), &c), "IDAGetCurrentCj");
+      me.system.shift(c);
+      me.system.solve(into, of_a_correction * me.tolerance);
     });
     return failed == 0 ? SUNLS_SUCCESS : failed > 0 ? SUNLS_PACKAGE_FAIL_REC : SUNLS_PACKAGE_FAIL_UNREC;
   }
@@ -126,6 +132,10 @@ void ImplicitIntegrator::start(double t, std::span<const double> y, std::span<co
   require_success(IDASStolerances(memory, 0, ida.tolerance), "IDASStolerances");
   require_success(IDASetLinearSolver(memory, ida.linear.get(), ida.matrix.get()), "IDASetLinearSolver");
   require_success(IDASetJacFn(memory, Ida::prepare), "IDASetJacFn");
+  // The system shifts its matrix: IDA need not scale solutions with another c, nor prepare for each.
+  require_success(IDASetLinearSolutionScaling(memory, SUNFALSE), "IDASetLinearSolutionScaling");
+  require_success(IDASetEtaMax(memory, most_growth), "IDASetEtaMax");
+  require_success(IDASetDeltaCjLSetup(memory, shift_before_prepare), "IDASetDeltaCjLSetup");
 }
 
 void ImplicitIntegrator::step(double end) {
