@@ -30,7 +30,7 @@ double norm(std::span<const double> values) {
 
 double Balance::rest() const {
   const auto sum = [](const std::vector<double>& all) { return std::accumulate(all.begin(), all.end(), 0.0); };
-  return sum(flows) + sum(sources) + sum(given) - stored;
+  return sum(flows) + sum(sources) + sum(points) + sum(given) - stored;
 }
 
 struct Conduction::Impl {
@@ -42,6 +42,7 @@ struct Conduction::Impl {
       append(flow_patches(flow, definition.bodies[flow.body], unknown_of[flow.body], definition.absolute_zero));
     for (const Source& source : definition.sources)
       append(source_patches(source, definition.bodies[source.body], unknown_of[source.body]));
+    for (const PointFlow& flow : definition.point_flows) append(point_patches(flow, definition, unknown_of));
     for (const Interface& interface : definition.interfaces)
       append(interface_patches(interface, definition, unknown_of));
     for (std::size_t g = 0; g < definition.given.size(); ++g)
@@ -194,7 +195,7 @@ struct Conduction::Impl {
   std::vector<std::size_t> bodies;  // that they belong to
   std::vector<int> given;           // by unknown: index of the given temperature, or -1
   Patches patches;
-  std::vector<std::size_t> groups;  // first patches: of bodies, flows, sources, interfaces
+  std::vector<std::size_t> groups;  // first patches: of bodies, flows, sources, points, interfaces
   linalg::SparseMatrix matrix;      // lower triangle
   std::vector<std::int32_t> positions;
   std::vector<Eigen::VectorXd> residuals;
@@ -329,6 +330,7 @@ Balance Conduction::balance(double t, std::span<const double> y, std::span<const
   for (; group < all.bodies.size(); ++group) result.stored += sum_of_group(group);  // conduction adds up to zero
   for (std::size_t i = 0; i < all.flows.size(); ++i) result.flows.push_back(-sum_of_group(group++));
   for (std::size_t i = 0; i < all.sources.size(); ++i) result.sources.push_back(-sum_of_group(group++));
+  for (std::size_t i = 0; i < all.point_flows.size(); ++i) result.points.push_back(-sum_of_group(group++));
   for (const Interface& interface : all.interfaces) {
     const std::size_t first = own.groups[group++];
     double sum = 0;

@@ -54,6 +54,12 @@ struct BodyNode {
   std::int64_t node = 0;
 };
 
+/// Heat that flows into each of some nodes, per time of the data. Nodes that share a temperature count once.
+struct PointFlow {
+  std::vector<BodyNode> nodes;
+  Function value;  ///< of x, y, z, t
+};
+
 /// Heat flows across the points of two surfaces by conductance times the difference of their temperatures.
 struct Interface {
   std::string name;
@@ -67,6 +73,7 @@ struct Definition {
   std::vector<Conductor> bodies;
   std::vector<SurfaceFlow> flows;
   std::vector<Source> sources;
+  std::vector<PointFlow> point_flows;
   std::vector<GivenTemperature> given;
   std::vector<Interface> interfaces;
   std::vector<std::pair<BodyNode, BodyNode>> equal;  ///< nodes of one temperature
@@ -78,6 +85,7 @@ struct Definition {
 struct Balance {
   std::vector<double> flows;       ///< into the bodies, as Definition::flows
   std::vector<double> sources;     ///< as Definition::sources
+  std::vector<double> points;      ///< as Definition::point_flows
   std::vector<double> given;       ///< that the given temperatures need, as Definition::given
   std::vector<double> interfaces;  ///< from the first to the second body, as Definition::interfaces
   double stored = 0;               ///< in the capacities
