@@ -163,8 +163,15 @@ struct Conduction::Impl {
         for (Index i = 0; i < n; ++i, ++k)
           if (positions[k] != not_stored) matrix.valuePtr()[positions[k]] += matrices[p](i, j);
     }
+    const auto diagonal = [&](std::size_t u) -> double& {  // the first of its column
+      return matrix.valuePtr()[matrix.outerIndexPtr()[u]];
+    };
+    of_given = 0;
     for (std::size_t u = 0; u < given.size(); ++u)
-      if (given[u] >= 0) matrix.valuePtr()[matrix.outerIndexPtr()[u]] = 1;  // the diagonal is the first of its column
+      if (given[u] < 0) of_given = std::max(of_given, diagonal(u));
+    if (!(of_given > 0)) of_given = 1;
+    for (std::size_t u = 0; u < given.size(); ++u)
+      if (given[u] >= 0) diagonal(u) = of_given;
     if (!solver) {
       std::vector<std::int64_t> block(places.size());
       std::iota(block.begin(), block.end(), std::int64_t{0});
@@ -184,6 +191,8 @@ struct Conduction::Impl {
   }
 
   void solve(std::span<double> x) {
+    for (std::size_t u = 0; u < given.size(); ++u)
+      if (given[u] >= 0) x[u] *= of_given;
     solver->forward(x, x);
     solver->backward(x, x);
   }
@@ -197,6 +206,7 @@ struct Conduction::Impl {
   Patches patches;
   std::vector<std::size_t> groups;  // first patches: of bodies, flows, sources, points, interfaces
   linalg::SparseMatrix matrix;      // lower triangle
+  double of_given = 1;  // diagonal of given temperatures: of the size of the others, so that these have pivots
   std::vector<std::int32_t> positions;
   std::vector<Eigen::VectorXd> residuals;
   std::vector<Eigen::MatrixXd> matrices;
