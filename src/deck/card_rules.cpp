@@ -154,12 +154,12 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     add(Kind::of_heat, "films and radiation of nodes are not known; *FILM, *SFILM, *RADIATE and *SRADIATE of faces are",
         {"CFILM", "CRADIATE", "FILM PROPERTY", "RADIATION FILE"});
     add(Kind::of_heat,
-        "radiation between surfaces is not known, only to surroundings; films with a coefficient "
-        "that depends on the temperature may stand for it",
+        "radiation between surfaces is not known, only to surroundings; a film with a coefficient "
+        "that depends on the temperature does nearly the same",
         {"EMISSIVITY", "GAP RADIATION", "CAVITY DEFINITION", "RADIATION VIEWFACTOR"});
     add(Kind::of_heat, "heat of deformation, of friction and of currents is not known",
         {"GAP HEAT GENERATION", "INELASTIC HEAT FRACTION", "JOULE HEAT FRACTION"});
-    add(Kind::of_heat, "latent heat is not known; *SPECIFIC HEAT with a peak over the temperature may stand for it",
+    add(Kind::of_heat, "latent heat is not known; *SPECIFIC HEAT with a peak over the temperature does nearly the same",
         {"LATENT HEAT"});
 
     add(Kind::impossible, "shells and membranes are not known",

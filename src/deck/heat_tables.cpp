@@ -96,7 +96,7 @@ class HeatMaker {
     if (!heat_.start)
       refuse("INITIAL CONDITIONS",
              "initial temperatures of a transient that depend on more than one of x, y and z; a steady state before it "
-             "may stand for them");
+             "may give them");
   }
 
   /// The initial temperature as a function of one coordinate, linear between those of the nodes.
@@ -142,7 +142,7 @@ class HeatMaker {
     }
   }
 
-  /// Nodes without elements, as of fluids, are no part of the model.
+  /// Nodes without elements do not belong to the model.
   std::string group_of(Numbers nodes, const std::string& general) {
     std::erase_if(nodes, [&](std::int64_t node) { return !draft_.is_used(node); });
     return nodes.empty() ? "" : draft_.mesh.add_nodes(draft_.name_for(nodes, general), nodes);

@@ -681,14 +681,15 @@ class Joiner {
                   [](const Window& window) { return window.until && *window.until <= window.from.value_or(0); });
     if (entry.windows.empty()) return;
     const Window& window = entry.windows.front();
-    // Before a transient a node has the temperature of the start, given or not; a steady state would be another one.
+    // Before a transient every node has the temperature of the start, given or not; a steady state would be another
+    // one.
     const double first = std::ranges::any_of(deck_.steps, &Step::is_steady)
                              ? 0.0
                              : static_cast<double>(deck_.steps.size()) * loading_.heat.time_of_states;
     if (entry.windows.size() > 1 || window.from.value_or(0) > first || window.until) {
       impossible_.push_back({deck_.steps.back().place, "BOUNDARY",
                              fmt::format("node {} has a given temperature in some steps only; a *FILM with a large "
-                                         "coefficient, whose FILM AMPLITUDE ends it, may stand for it",
+                                         "coefficient, whose FILM AMPLITUDE ends it, does nearly the same",
                                          node)});
       return;
     }

@@ -160,7 +160,7 @@ TEST(Deck, PartsAndInstances) {
 TEST(Deck, WhatIsLeftOutAndWhatIsImpossible) {
   const Deck deck = read(square +
                          "*HYPERELASTIC\n200, 0\n*ELEMENT, TYPE=S8R, ELSET=SHELL\n8, 1, 2, 3, 4, 1, 2, 3, 4\n"
-                         "*CONDUCTIVITY\n50\n*BOUNDRY\n1, 1\n*STEP\n*FREQUENCY\n10\n*END STEP\n");
+                         "*LATENT HEAT\n1, 2, 3\n*BOUNDRY\n1, 1\n*STEP\n*FREQUENCY\n10\n*END STEP\n");
   ASSERT_EQ(deck.impossible.size(), 4U);
   EXPECT_EQ(deck.impossible[0].card, "HYPERELASTIC");
   EXPECT_EQ(deck.impossible[0].place.line, 8U);
