@@ -102,7 +102,10 @@ class ContactMaker {
       return draft_.refuse(raw,
                            "a conductance that depends on the pressure and on the temperature; write it as an "
                            "expression of p and T, after an import with the rows of one temperature");
+    if (varies(1) && !draft_.deck.deforms())
+      return draft_.refuse(raw, "it depends on the contact pressure, and no step computes displacements");
     const std::size_t of = varies(1) ? 1 : 2;
+    draft_.couples = draft_.couples || of == 1;
     std::vector<double> at, values;
     for (const auto& row : rows) {
       at.push_back(rounded(row[of]));

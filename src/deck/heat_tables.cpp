@@ -66,7 +66,7 @@ class HeatMaker {
   void make() {
     draft_.comment("heat", "steps of *HEAT TRANSFER and of temperatures with displacements");
     set_start();
-    if (is_transient(draft_.deck)) heat_.time_unit = 1;
+    if (is_transient(draft_.deck) || draft_.couples) heat_.time_unit = 1;
     if (!draft_.deck.deforms()) heat_.alone = true;
     for (const auto& [node, course] : from_.temperatures) temperatures_.add(text(course), course, node);
     for (const auto& [node, course] : from_.point_flows) point_flows_.add(text(course), course, node);

@@ -171,11 +171,23 @@ class ImportOfHeat(ImportTest):
                 if "nt_node_100" in row:
                     self.assertAlmostEqual(row["nt_node_100"], expected[1], delta=1e-3)
         self.assertIn('conductance = "insulated"', self.toml("none"))
-        done = self.import_deck("pressure", model + pair.format("*GAP CONDUCTANCE\n5., 0.\n15., 30.\n") + loads)
-        self.assertSays(done.stdout, "*GAP CONDUCTANCE", "pressure", "'gap'")
-        self.assertIn("conductance = { p = [0, 30], values = [5, 15] }", self.toml("pressure"))
         apart = equal.replace(" 5, 11", " 1, 11", 1)
         self.assertSays(self.import_deck("apart", model + apart + loads, status=2).stderr, "*EQUATION", "*TIE")
+
+    def test_conductance_over_the_pressure(self):
+        """It needs displacements, and stays a function of the pressure."""
+        upper = "".join(f"{11 + i}, {x}, {y}, {1 + z}\n" for z in (0, 1) for i, (x, y) in ((4 * z + k, at) for k, at in enumerate(((0, 0), (1, 0), (1, 1), (0, 1)))))
+        heat = "*CONDUCTIVITY\n10.\n*SPECIFIC HEAT\n1.\n*DENSITY\n1e-3\n*SOLID"
+        deck = (CUBE.replace("*SOLID", heat) + "*NODE\n" + upper + "*ELEMENT, TYPE=C3D8, ELSET=Upper\n2, " + ", ".join(str(n) for n in range(11, 19)) +
+                "\n*SOLID SECTION, ELSET=Upper, MATERIAL=Steel\n*BOUNDARY\n11, 1, 2\n14, 1\n12, 2\n*SURFACE, NAME=A\nCube, S2\n*SURFACE, NAME=B\nUpper, S1\n"
+                "*SURFACE INTERACTION, NAME=I\n*GAP CONDUCTANCE\n5., 0.\n15., 30.\n*CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE\nB, A\n"
+                "*STEP\n*COUPLED TEMPERATURE-DISPLACEMENT\n0.1, 1.\n*BOUNDARY\nz0, 11, 11, 120.\n*DLOAD\nUpper, P2, 30.\n*END STEP\n")
+        done = self.import_deck("pressure", deck)
+        self.assertSays(done.stdout, "*GAP CONDUCTANCE", "pressure", "'gap'")
+        self.assertIn("conductance = { p = [0, 30], values = [5, 15] }", self.toml("pressure"))
+        self.assertNotIn("'gap'", self.import_deck("given", deck.replace("*GAP CONDUCTANCE", "*GAP CONDUCTANCE, PRESSURE")).stdout)
+        alone = deck.replace("COUPLED TEMPERATURE-DISPLACEMENT", "HEAT TRANSFER")
+        self.assertSays(self.import_deck("alone", alone, status=2).stderr, "*GAP CONDUCTANCE", "displacements")
 
     def test_temperatures_with_displacements(self):
         """A cube that warms up by 100 grows by 1e-5 per degree; a later *STATIC step loads it."""
@@ -219,7 +231,7 @@ class ImportOfHeat(ImportTest):
         """Data of heat do not act there: a line says it."""
         deck = CUBE.replace("*SOLID", "*CONDUCTIVITY\n10.\n*LATENT HEAT\n1., 2., 3.\n*SOLID")
         done = self.import_deck("static", deck + "*STEP\n*STATIC\n*DLOAD\nCube, P2, -1.\n*FILM\nCube, F1, 20., 1.\n*END STEP\n")
-        self.assertSays(done.stdout, "*FILM: it does not act", "*LATENT HEAT: it does not act")
+        self.assertSays(done.stdout, "*CONDUCTIVITY: it does not act", "*LATENT HEAT: it does not act", "*FILM: it does not act")
         self.assertNotIn("[heat]", self.toml("static"))
 
     def test_mechanics_that_no_step_computes_is_left_out(self):
