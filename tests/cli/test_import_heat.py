@@ -3,7 +3,7 @@
 import math
 import unittest
 
-from test_import import CUBE, ImportTest
+from test_import import CUBE, EXAMPLES, ImportTest, deck_text, position_of_node
 
 STEADY = "*STEP\n*HEAT TRANSFER, STEADY STATE\n{}*NODE PRINT, NSET=Nall\nNT\n*END STEP\n"
 MATERIAL = "*MATERIAL, NAME=M\n*CONDUCTIVITY\n{}\n*SOLID SECTION, ELSET=E, MATERIAL=M\n"
@@ -240,6 +240,28 @@ class ImportOfHeat(ImportTest):
         self.assertSays(done.stdout, "*STEP", "*BOUNDARY, *DLOAD, *ELASTIC")
         for key in ("supports", "loads", "young_modulus"):
             self.assertNotIn(key, self.toml("alone"))
+
+
+@unittest.skipUnless(EXAMPLES.exists(), "needs the Debian package calculix-ccx-test")
+class HeatOfCalculix(ImportTest):
+    def test_temperatures(self):
+        """Values of the .dat.ref files, at nodes at the end of the last step."""
+        for name, node, body, value, relative in (
+                ("beamhtbf", 5, "LAST", 217.0, 1e-6),
+                ("beamhtbo", 40, None, 68.0, 1e-6),
+                ("beamth", 40, None, 59.99717, 1e-4),
+                ("dam", 545, None, 6.275709, 1e-5),
+                ("oneel20cf", 1, None, -2.4, 1e-6),
+                ("oneel20df", 1, None, -2.0, 1e-6),
+                ("oneel20fi", 1, None, -2.0, 1e-6),
+                ("oneel20rs", 1, None, -2.0, 1e-6),
+                ("oneel8ra", 3, None, -0.9507386, 1e-6)):
+            with self.subTest(name):
+                text = deck_text(name)
+                self.import_deck(name, text)
+                of_body = f'body = "{body}"\n' if body else ""
+                probe = f'[[probes]]\nname = "T"\nquantity = "temperature"\nat = {position_of_node(text, node)}\n'
+                self.expect_close(self.run_imported(name, probe + of_body)[-1]["T"], value, relative)
 
 
 if __name__ == "__main__":
