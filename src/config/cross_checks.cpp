@@ -157,6 +157,7 @@ void check_heat(const Config& config, const Item& root, Diagnostics& errors) {
   check_bodies(heat.radiation);
   check_bodies(heat.sources);
   check_bodies(heat.temperatures);
+  check_bodies(heat.point_flows);
   for (const Material& material : config.materials) {
     if (std::ranges::none_of(config.bodies, [&](const Body& body) { return body.material.name == material.name; }))
       continue;

@@ -74,6 +74,18 @@ Value<HeatSource> source_table() {
   }));
 }
 
+Value<HeatPointFlow> point_flow_table() {
+  return written_inline(table<HeatPointFlow>({
+      field<HeatPointFlow>("on", &HeatPointFlow::on, reference("a physical surface, curve or point"),
+                           "group into each of whose nodes heat flows", Presence::required),
+      field<HeatPointFlow>("body", &HeatPointFlow::body, body(), "only the nodes of this body").otherwise("of all"),
+      field<HeatPointFlow>("value", &HeatPointFlow::value, function(position_and_time),
+                           "heat per time into each node, in axisymmetric models on the whole circumference",
+                           Presence::required)
+          .in("power"),
+  }));
+}
+
 /// The temperature at the start, or "steady".
 Value<std::optional<Function>> start_value() {
   const Value<Function> given = function({"x", "y", "z"});
@@ -151,6 +163,8 @@ Value<Heat> heat_table() {
                       "surfaces that exchange radiation with their surroundings, not with each other")
           .otherwise("none"),
       field<HeatKeys>("sources", &HeatKeys::sources, list(source_table()), "heat that arises in a body")
+          .otherwise("none"),
+      field<HeatKeys>("point_flows", &HeatKeys::point_flows, list(point_flow_table()), "heat that flows into nodes")
           .otherwise("none"),
       field<HeatKeys>("stefan_boltzmann", &HeatKeys::stefan_boltzmann, number(greater(0)),
                       "constant of radiation in the units of the data: 5.670374e-8 W/(m^2 K^4), 5.670374e-11 "

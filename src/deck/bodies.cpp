@@ -9,40 +9,40 @@
 #include <unordered_map>
 
 #include "creepcontact/base/disjoint_sets.hpp"
+#include "loading.hpp"
 
 namespace creepcontact::deck {
 namespace {
 
-/// One element of each section at every node.
+/// One element of each kind at every node.
 class OwnersOfNodes {
  public:
   explicit OwnersOfNodes(const Deck& deck) : deck_(deck), first_(deck.positions.size()) {}
 
   struct Found {
-    std::optional<std::uint32_t> same;  ///< an element there of a section that is the same
+    std::optional<std::uint32_t> same;  ///< an element there of the same kind
     bool is_shared = false;             ///< only others are there
   };
-  /// Adds an element, and says what was at the node before.
-  template <class IsSame>
-  Found add(std::int64_t node, std::uint32_t section, std::uint32_t element, const IsSame& is_same) {
+  /// Adds an element, and says what was at the node before. @param kind  equal for those of one body
+  Found add(std::int64_t node, std::uint32_t kind, std::uint32_t element) {
     const std::uint32_t place = deck_.node_of_number.at(node);
     Owner& first = first_[place];
-    if (first.section == none) {
-      first = {section, element};
+    if (first.kind == none) {
+      first = {kind, element};
       return {};
     }
-    if (is_same(first.section)) return {first.element, false};
+    if (first.kind == kind) return {first.element, false};
     std::vector<Owner>& others = others_[place];
     for (const Owner& other : others)
-      if (is_same(other.section)) return {other.element, false};
-    others.push_back({section, element});
+      if (other.kind == kind) return {other.element, false};
+    others.push_back({kind, element});
     return {std::nullopt, true};
   }
 
  private:
   static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
   struct Owner {
-    std::uint32_t section = none, element = none;
+    std::uint32_t kind = none, element = none;
   };
   const Deck& deck_;
   std::vector<Owner> first_;                                      // by node
@@ -72,6 +72,25 @@ std::vector<std::size_t> kinds_of_sections(const Deck& deck) {
   return kinds;
 }
 
+/// Numbers of elements in which the same sources of heat act, by element; 0 is without: a source is one of a body.
+std::unordered_map<std::int64_t, std::uint32_t> kinds_of_sources(const Deck& deck) {
+  const Resolver resolver(deck);
+  std::map<std::int64_t, std::set<std::string>> targets;  // by element
+  if (!deck.conducts()) return {};
+  for (const Step& step : deck.steps)
+    for (const RawCard& raw : step.cards) {
+      if (raw.card.name != "DFLUX") continue;
+      for (const std::vector<std::string>& line : raw.data)
+        if (line.size() > 1 && upper_case(line[1]) == "BF")
+          for (const std::int64_t element : resolver.elements(line[0])) targets[element].insert(upper_case(line[0]));
+    }
+  std::map<std::set<std::string>, std::uint32_t> known;
+  std::unordered_map<std::int64_t, std::uint32_t> kinds;
+  for (const auto& [element, own] : targets)
+    kinds[element] = known.try_emplace(own, static_cast<std::uint32_t>(known.size()) + 1).first->second;
+  return kinds;
+}
+
 }  // namespace
 
 Bodies find_bodies(const Deck& deck, std::vector<Note>& impossible) {
@@ -86,6 +105,8 @@ Bodies find_bodies(const Deck& deck, std::vector<Note>& impossible) {
   }
 
   const std::vector<std::size_t> kinds = kinds_of_sections(deck);
+  const std::unordered_map<std::int64_t, std::uint32_t> sources = kinds_of_sources(deck);
+  std::map<std::pair<std::size_t, std::uint32_t>, std::uint32_t> known;
   Numbers elements;
   std::vector<std::uint32_t> section;
   DisjointSets components(deck.element_of_number.size());
@@ -104,9 +125,11 @@ Bodies find_bodies(const Deck& deck, std::vector<Note>& impossible) {
       const auto index = static_cast<std::uint32_t>(elements.size());
       elements.push_back(block.numbers[e]);
       section.push_back(*own);
+      const auto source = sources.find(block.numbers[e]);
+      const std::pair of_body(kinds[*own], source == sources.end() ? 0U : source->second);
+      const std::uint32_t kind = known.try_emplace(of_body, static_cast<std::uint32_t>(known.size())).first->second;
       for (std::size_t i = 0; i < n; ++i) {
-        const auto is_same = [&](std::uint32_t other) { return kinds[other] == kinds[*own]; };
-        const auto [same, is_shared] = owners.add(block.nodes[e * n + i], *own, index, is_same);
+        const auto [same, is_shared] = owners.add(block.nodes[e * n + i], kind, index);
         if (same) components.join(index, *same);
         result.share_nodes = result.share_nodes || is_shared;
       }

@@ -1,5 +1,6 @@
 #pragma once
-/// Bodies of a deck: elements that share nodes, split by the material and the axes of their sections.
+/// Bodies of a deck: elements that share nodes, split by the material and the axes of their sections, and by sources of
+/// heat.
 
 #include <string>
 #include <vector>

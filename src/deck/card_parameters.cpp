@@ -60,6 +60,13 @@ List of_loads() {
          refused({"IMAGINARY", "SECTOR", "CYCLIC MODE", "REGION TYPE"},
                  "it has no meaning in *STATIC and *VISCO steps");
 }
+/// The parameters of flows of heat whose second value has an amplitude of its own.
+List of_exchange(const char* own_amplitude, const char* own_delay) {
+  return of_loads() + taken({own_amplitude}) +
+         refused({own_delay}, "amplitudes that begin later are not known; give their table shifted in time") +
+         refused({"FORCED CONVECTION"}, "fluids that flow are not known") +
+         refused({"CAVITY", "ENVNODE"}, "radiation between surfaces is not known, only to surroundings");
+}
 List of_following_loads() {
   return left_out({"FOLLOWER"}, "directions of loads are those of the undeformed bodies");
 }
@@ -105,6 +112,8 @@ std::map<std::string, List> lists() {
   of["EXPANSION"] = taken({"TYPE", "ZERO"}) + of_table();
   of["POTENTIAL"] = of_table();
   of["DENSITY"] = of_table();
+  of["CONDUCTIVITY"] = taken({"TYPE"}) + of_table();
+  of["SPECIFIC HEAT"] = of_table();
   of["CREEP"] = taken({"LAW"}) + of_table() + one_of("TIME", {"TOTAL", "CREEP"});
   of["PLASTIC"] = taken({"NUMBER BACKSTRESSES"}) + of_table() +
                   one_of("HARDENING", {"ISOTROPIC", "KINEMATIC", "COMBINED"}) + one_of("DATA TYPE", {"PARAMETERS"}) +
@@ -114,7 +123,7 @@ std::map<std::string, List> lists() {
       of_table() + refused({"PARAMETERS"}, "Q and b are not known; a table of the stress over the plastic strain is") +
       refused({"RATE"}, "rates of the yield stress are not known");
   of["PHYSICAL CONSTANTS"] =
-      taken({"ABSOLUTE ZERO"}) + ignored({"STEFAN BOLTZMANN", "NEWTON GRAVITY", "UNIVERSAL GAS CONSTANT"});
+      taken({"ABSOLUTE ZERO", "STEFAN BOLTZMANN"}) + ignored({"NEWTON GRAVITY", "UNIVERSAL GAS CONSTANT"});
   of["ORIENTATION"] = taken({"NAME", "SYSTEM", "DEFINITION"}) + ignored({"LOCAL DIRECTIONS"});
   of["AMPLITUDE"] = taken({"NAME", "SHIFTX", "SHIFTY"}) + one_of("TIME", {"STEP TIME", "TOTAL TIME"}) +
                     one_of("DEFINITION", {"TABULAR"}) + one_of("VALUE", {"RELATIVE"}) + only("SMOOTH", {"0", "0."}) +
@@ -130,17 +139,32 @@ std::map<std::string, List> lists() {
       of_procedure() + refused({"RIKS", "ADIABATIC", "FULLY PLASTIC", "LONG TERM"}, "this procedure is not known");
   of["NO ANALYSIS"] = {};
   of["VISCO"] = of_procedure() + ignored({"CETOL"}) + one_of("CREEP", {"EXPLICIT"});
+  const List of_heat_steps = taken({"STEADY STATE"}) +
+                             ignored({"DIRECT", "SOLVER", "DELTMX", "MXDEM", "FACTOR", "CETOL"}) +
+                             one_of("END", {"PERIOD"}) + refused({"TOTAL TIME AT START"}, of_shifted_time);
+  of["HEAT TRANSFER"] =
+      of_heat_steps + taken({"TIME RESET"}) +
+      refused({"FREQUENCY", "MODAL DYNAMIC", "STORAGE", "GLOBAL"}, "modes of vibration and of sound are not known");
+  for (const char* card : {"COUPLED TEMPERATURE-DISPLACEMENT", "UNCOUPLED TEMPERATURE-DISPLACEMENT"})
+    of[card] = of_heat_steps + taken({"TIME RESET"}) + ignored({"ALPHA"}) + one_of("CREEP", {"EXPLICIT"}) +
+               left_out({"STABILIZE"}, "there is no artificial damping") +
+               refused({"ELECTRICAL"}, "heat of currents is not known");
   of["RESTART"] = ignored({"WRITE", "FREQUENCY", "OVERLAY", "NUMBER INTERVAL", "TIME MARKS", "STEP", "INC"}) +
                   refused({"READ"}, "the deck goes on from the results of another one");
   // Supports and loads
   of["BOUNDARY"] = of_loads() + one_of("TYPE", {"DISPLACEMENT"}) + taken({"FIXED"}) +
-                   refused({"MASS FLOW", "PRESSURE", "TEMPERATURE"}, "only displacements are prescribed");
+                   refused({"MASS FLOW", "PRESSURE", "TEMPERATURE"},
+                           "only displacements and, as degree of freedom 11, temperatures are prescribed");
   of["CLOAD"] = of_loads() + of_following_loads();
   of["DLOAD"] = of_loads() + of_following_loads() + only("CONSTANT RESULTANT", {"NO"});
   of["DSLOAD"] = of_loads() + of_following_loads() + only("CONSTANT RESULTANT", {"NO"});
   of["TEMPERATURE"] = of_loads() +
                       refused({"BSTEP", "BINC", "ESTEP", "EINC", "INTERPOLATE", "DRIVING ELSETS"}, of_results) +
                       refused({"INPUT"}, of_files);
+  for (const char* card : {"CFLUX", "DFLUX", "DSFLUX"}) of[card] = of_loads();
+  for (const char* card : {"FILM", "SFILM"}) of[card] = of_exchange("FILM AMPLITUDE", "FILM TIME DELAY");
+  for (const char* card : {"RADIATE", "SRADIATE"})
+    of[card] = of_exchange("RADIATION AMPLITUDE", "RADIATION TIME DELAY");
   of["INITIAL CONDITIONS"] = taken({"TYPE"}) + refused({"USER"}, of_users) +
                              refused({"FILE", "STEP", "INC", "INTERPOLATE", "DRIVING ELSETS"}, of_results) +
                              refused({"INPUT"}, of_files);
@@ -170,6 +194,8 @@ std::map<std::string, List> lists() {
   of["CHANGE FRICTION"] = taken({"INTERACTION"}) + refused({"RESET", "AMPLITUDE"},
                                                            "friction that changes by itself is not known; a *FRICTION "
                                                            "below gives its new value");
+  of["GAP CONDUCTANCE"] =
+      taken({"PRESSURE"}) + of_table() + refused({"MASS FLOW RATE"}, "flowing fluids are not known");
   of["CLEARANCE"] = taken({"MASTER", "SLAVE", "VALUE"}) +
                     refused({"CPSET", "TABULAR", "BOLT"}, "only one clearance of two surfaces, VALUE, is known");
   of["TIE"] =

@@ -49,6 +49,8 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     read("POTENTIAL", &DeckReader::potential);
     read("ORIENTATION", &DeckReader::orientation);
     read("DENSITY", &DeckReader::density);
+    read("CONDUCTIVITY", &DeckReader::conductivity);
+    read("SPECIFIC HEAT", &DeckReader::specific_heat);
     read("CREEP", &DeckReader::creep);
     read("PLASTIC", &DeckReader::plastic);
     read("CYCLIC HARDENING", &DeckReader::cyclic_hardening);
@@ -59,6 +61,9 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     read("STATIC", &DeckReader::statics);
     read("VISCO", &DeckReader::visco);
     read("NO ANALYSIS", &DeckReader::no_analysis);
+    read("HEAT TRANSFER", &DeckReader::heat_transfer);
+    read("COUPLED TEMPERATURE-DISPLACEMENT", &DeckReader::temperature_displacement);
+    read("UNCOUPLED TEMPERATURE-DISPLACEMENT", &DeckReader::temperature_displacement);
     read("PART", &DeckReader::part);
     read("END PART", &DeckReader::end_part);
     read("INSTANCE", &DeckReader::instance);
@@ -68,6 +73,8 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     keep(Where::step, 3, {"CLOAD", "DSLOAD"});
     keep(Where::step, 9, {"DLOAD"});
     keep(Where::step, 2, {"TEMPERATURE"});
+    keep(Where::step, 3, {"CFLUX", "DFLUX", "DSFLUX"});
+    keep(Where::step, 4, {"FILM", "SFILM", "RADIATE", "SRADIATE"});
     keep(Where::step, 0, {"CHANGE FRICTION"});
     keep(Where::anywhere, 0, {"FRICTION", "NODE PRINT", "EL PRINT", "EQUATION", "MPC"});
     keep(Where::anywhere, 6, {"TRANSFORM"});
@@ -76,7 +83,7 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     keep(Where::model, 6, {"CYCLIC SYMMETRY MODEL"});
     keep(Where::model, 0,
          {"INITIAL CONDITIONS", "SURFACE INTERACTION", "SURFACE BEHAVIOR", "CLEARANCE", "RIGID BODY", "CONTACT",
-          "SPRING"});
+          "SPRING", "GAP CONDUCTANCE"});
     add(Kind::impossible, "contacts and elements that come and go are not known", {"MODEL CHANGE"});
     add(Kind::impossible, "contact that changes from step to step is not known", {"CHANGE SURFACE BEHAVIOR"});
     const std::string general =
@@ -144,10 +151,16 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
         {"INITIAL STRESS", "INITIAL STRAIN INCREASE"});
     add(Kind::impossible, "materials that change from step to step are not known",
         {"CHANGE SOLID SECTION", "CHANGE MATERIAL", "CHANGE PLASTIC"});
-    add(Kind::left_out, "heat conduction is not imported; give the temperature as a field, or [heat] by hand",
-        {"CONDUCTIVITY", "SPECIFIC HEAT", "FILM", "RADIATE", "DFLUX", "CFLUX", "FILM PROPERTY", "GAP CONDUCTANCE",
-         "GAP HEAT GENERATION", "GAP RADIATION", "LATENT HEAT", "INELASTIC HEAT FRACTION", "JOULE HEAT FRACTION",
-         "EMISSIVITY", "DSFLUX", "SFILM", "SRADIATE", "CFILM", "CRADIATE"});
+    add(Kind::of_heat, "films and radiation of nodes are not known; *FILM, *SFILM, *RADIATE and *SRADIATE of faces are",
+        {"CFILM", "CRADIATE", "FILM PROPERTY", "RADIATION FILE"});
+    add(Kind::of_heat,
+        "radiation between surfaces is not known, only to surroundings; a film with a coefficient "
+        "that depends on the temperature does nearly the same",
+        {"EMISSIVITY", "GAP RADIATION", "CAVITY DEFINITION", "RADIATION VIEWFACTOR"});
+    add(Kind::of_heat, "heat of deformation, of friction and of currents is not known",
+        {"GAP HEAT GENERATION", "INELASTIC HEAT FRACTION", "JOULE HEAT FRACTION"});
+    add(Kind::of_heat, "latent heat is not known; *SPECIFIC HEAT with a peak over the temperature does nearly the same",
+        {"LATENT HEAT"});
 
     add(Kind::impossible, "shells and membranes are not known",
         {"SHELL SECTION", "MEMBRANE SECTION", "MEMBRANE", "SHELL GENERAL SECTION", "NODAL THICKNESS"});
@@ -162,10 +175,10 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     add(Kind::impossible,
         "viscoelasticity by *VISCOELASTIC is not known; the laws 'maxwell', 'hereditary' and others are",
         {"VISCOELASTIC"});
-    add(Kind::impossible, "only *STATIC and *VISCO steps are known",
+    add(Kind::impossible,
+        "only *STATIC, *VISCO and *HEAT TRANSFER steps, and those of temperatures with displacements, are known",
         {"DYNAMIC", "FREQUENCY", "COMPLEX FREQUENCY", "MODAL DYNAMIC", "STEADY STATE DYNAMICS", "BUCKLE",
-         "HEAT TRANSFER", "COUPLED TEMPERATURE-DISPLACEMENT", "UNCOUPLED TEMPERATURE-DISPLACEMENT", "ELECTROMAGNETICS",
-         "CFD", "GREEN", "SENSITIVITY", "FEASIBLE DIRECTION", "CRACK PROPAGATION", "SUBMODEL"});
+         "ELECTROMAGNETICS", "CFD", "GREEN", "SENSITIVITY", "FEASIBLE DIRECTION", "CRACK PROPAGATION", "SUBMODEL"});
     add(Kind::impossible, "fluid networks are not known",
         {"FLUID SECTION", "FLUID CONSTANTS", "SPECIFIC GAS CONSTANT", "VALUES AT INFINITY"});
     return result;

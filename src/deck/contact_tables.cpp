@@ -20,6 +20,7 @@ struct Interaction {
   bool tied = false;
   std::string name = {};
   std::string gasket = {};  ///< of the configuration
+  std::optional<Function> conductance = {};
 };
 
 class ContactMaker {
@@ -58,13 +59,14 @@ class ContactMaker {
       if (own_ == nullptr)
         draft_.refuse(raw, fmt::format("there is no *SURFACE INTERACTION '{}'", raw.card.value("INTERACTION")));
     }
-    const bool is_friction = raw.card.name == "FRICTION";
-    if (!is_friction && raw.card.name != "SURFACE BEHAVIOR") return;
+    const bool is_friction = raw.card.name == "FRICTION", is_of_heat = raw.card.name == "GAP CONDUCTANCE";
+    if (!is_friction && !is_of_heat && raw.card.name != "SURFACE BEHAVIOR") return;
     if (own_ == nullptr)
       return draft_.refuse(raw, is_friction
                                     ? "it belongs below *SURFACE INTERACTION, or in a step below *CHANGE FRICTION"
                                     : "it belongs below *SURFACE INTERACTION");
     if (is_friction) return friction(raw, time);
+    if (is_of_heat) return conductance(raw);
     const std::string kind = upper_case(raw.card.value("PRESSURE-OVERCLOSURE"));
     own_->tied = kind == "TIED";
     if (kind == "TABULAR") return curve(raw);
@@ -72,6 +74,61 @@ class ContactMaker {
       draft_.left_out.push_back({raw.card.place, raw.card.name,
                                  fmt::format("{}: contact is hard here, without penetration",
                                              kind.empty() ? "pressure over overclosure" : kind)});
+  }
+
+  /// Rows of the conductance, the pressure and the temperature, over one of the two.
+  void conductance(const RawCard& raw) {
+    if (!draft_.deck.conducts()) {
+      draft_.left_out.push_back({raw.card.place, raw.card.name, "it does not act, for no step computes temperatures"});
+      return;
+    }
+    std::vector<std::array<double, 3>> rows;
+    for (const std::vector<std::string>& line : raw.data) {
+      std::array<double, 3> row{};
+      for (std::size_t i = 0; i < std::min<std::size_t>(line.size(), 3); ++i) {
+        const auto given = line[i].empty() ? 0.0 : number(line[i]);
+        if (!given) return draft_.refuse(raw, fmt::format("'{}' is not a number", line[i]));
+        row[i] = *given;
+      }
+      if (line.size() > 3)
+        return draft_.refuse(raw, "expected rows of the conductance, the contact pressure and the temperature");
+      rows.push_back(row);
+    }
+    if (rows.empty()) return draft_.refuse(raw, "expected rows of the conductance, the pressure and the temperature");
+    const auto varies = [&](std::size_t column) {
+      return std::ranges::any_of(rows, [&](const auto& row) { return row[column] != rows.front()[column]; });
+    };
+    if (varies(1) && varies(2))
+      return draft_.refuse(raw,
+                           "a conductance that depends on the pressure and on the temperature; write it as an "
+                           "expression of p and T, after an import with the rows of one temperature");
+    if (varies(1) && !draft_.deck.deforms())
+      return draft_.refuse(raw, "it depends on the contact pressure, and no step computes displacements");
+    const std::size_t of = varies(1) ? 1 : 2;
+    draft_.couples = draft_.couples || of == 1;
+    std::vector<double> at, values;
+    for (const auto& row : rows) {
+      at.push_back(rounded(row[of]));
+      values.push_back(rounded(row[0]));
+    }
+    if (!is_increasing(at))
+      return draft_.refuse(raw,
+                           fmt::format("the {} must increase from line to line", of == 1 ? "pressure" : "temperature"));
+    own_->conductance = at.size() == 1 ? Function(values.front())
+                                       : Function::table(of == 1 ? "p" : "T", std::move(at), std::move(values));
+    if (of == 1 && !raw.card.has("PRESSURE"))
+      draft_.left_out.push_back(
+          {raw.card.place, raw.card.name,
+           "the second column is the contact pressure, as in CalculiX; without PRESSURE it is the clearance in Abaqus: "
+           "then write 'gap' for 'p' in the conductance"});
+  }
+
+  /// Heat does not cross a contact of which nothing is said.
+  void set_conductance(const std::optional<Function>& given, config::Contact& made) const {
+    using Kind = config::Conductance::Kind;
+    if (!draft_.deck.conducts()) return;
+    made.conductance.kind = given ? Kind::function : Kind::insulated;
+    if (given) made.conductance.value = *given;
   }
 
   /// Rows of pressure and overclosure: a gasket that has no thickness of its own.
@@ -196,6 +253,7 @@ class ContactMaker {
     const std::string why = set_gap(raw, slave, master, made);
     if (!interaction.gasket.empty()) made.gasket = {interaction.gasket};
     if (!interaction.friction.is_zero()) made.friction = interaction.friction.function();
+    set_conductance(interaction.conductance, made);
     draft_.comment(add(std::move(made), raw.card.place, raw.card.name) + ".gap", why);
   }
 
@@ -311,7 +369,7 @@ class ContactMaker {
                                        raw.card.value("POSITIONTOLERANCE"), line[1]));
         continue;
       }
-      if (face_alike(draft_.deck, slave, master)) {
+      if (!draft_.deck.conducts() && face_alike(draft_.deck, slave, master)) {
         auto equations = tie_nodes_to_faces(draft_.deck, slave, master, number(raw.card.value("POSITIONTOLERANCE")),
                                             draft_.is_section() ? 2 : 3, raw.card.place);
         std::ranges::move(equations, std::back_inserter(draft_.equations));
@@ -348,6 +406,10 @@ class ContactMaker {
         return refuse("the *CONTACT PAIR that holds it has a law of its own; only friction is known there");
       if (!found->second.friction.is_zero()) made.friction = found->second.friction.function();
     }
+    set_conductance(std::nullopt, made);
+    if (draft_.deck.conducts())
+      draft_.left_out.push_back({section.place, "GASKET SECTION",
+                                 "no heat crosses the gasket; give the contact a 'conductance' if it conducts"});
     if (std::ranges::any_of(layer.nodes, [&](std::int64_t node) {
           return !draft_.is_used(node) && draft_.loading.supports.contains(node);
         }))

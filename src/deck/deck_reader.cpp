@@ -30,6 +30,14 @@ Place ElementBlock::place(std::size_t element) const {
   return after == cards.begin() ? Place() : (after - 1)->second;
 }
 
+bool Deck::conducts() const {
+  return std::ranges::any_of(steps, &Step::conducts);
+}
+
+bool Deck::deforms() const {
+  return std::ranges::any_of(steps, &Step::deforms);
+}
+
 DeckReader::DeckReader() = default;
 
 void DeckReader::card(const Card& given) {
@@ -69,6 +77,9 @@ void DeckReader::card(const Card& given) {
       return;
     case Rule::Kind::impossible:
       deck_.impossible.push_back({card.place, card.name, rule.text});
+      return;
+    case Rule::Kind::of_heat:
+      of_heat_.push_back({card.place, card.name, rule.text});
       return;
   }
 }
@@ -152,6 +163,14 @@ Deck DeckReader::finish() {
   if (!without_influence_.empty())
     deck_.left_out.push_back({first_without_influence_, fmt::format("{}", fmt::join(without_influence_, ", *")),
                               "without influence on the results"});
+  for (Note& note : of_heat_) {
+    if (deck_.conducts()) {
+      deck_.impossible.push_back(std::move(note));
+    } else {
+      note.consequence = "it does not act, for no step computes temperatures";
+      deck_.left_out.push_back(std::move(note));
+    }
+  }
   if (step_open_) mistake(deck_.steps.back().place, "the step has no *END STEP; the deck may be cut off");
   if (into_ != &deck_) mistake(current_.place, "the part or instance does not end; the deck may be cut off");
   for (const Section& section : deck_.sections)

@@ -31,6 +31,7 @@ class DeckReader {
       without_influence,  ///< it changes no result; a line names it
       left_out,           ///< with a consequence
       impossible,         ///< with a reason
+      of_heat,            ///< impossible, with a reason, if temperatures are computed; else left out
     };
     Kind kind = Kind::kept;
     std::string text = {};  ///< consequence or reason
@@ -62,6 +63,8 @@ class DeckReader {
   void potential(const Card& card);
   void orientation(const Card& card);
   void density(const Card& card);
+  void conductivity(const Card& card);
+  void specific_heat(const Card& card);
   void creep(const Card& card);
   void plastic(const Card& card);
   void cyclic_hardening(const Card& card);
@@ -75,6 +78,8 @@ class DeckReader {
   void statics(const Card& card);
   void visco(const Card& card);
   void no_analysis(const Card& card);
+  void heat_transfer(const Card& card);
+  void temperature_displacement(const Card& card);
   // Parts
   void part(const Card& card);
   void end_part(const Card& card);
@@ -82,6 +87,7 @@ class DeckReader {
   void end_instance(const Card& card);
 
   void procedure(const Card& card, bool is_creep);
+  void conducting_procedure(const Card& card, bool deforms);
   /// Whether a card that is read or kept is allowed at its place.
   bool is_in_place(const Card& card, const Rule& rule);
   /// What each parameter of a card means; those that are not known may change the results.
@@ -140,6 +146,7 @@ class DeckReader {
   std::vector<LateMembers> late_members_;
   std::vector<std::string> without_influence_;
   Place first_without_influence_;
+  std::vector<Note> of_heat_;
 
   Card current_;
   std::function<void(const DataLine&)> on_data_;

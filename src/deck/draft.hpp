@@ -39,8 +39,9 @@ struct Draft {
   std::vector<RigidGroup> rigid;
   std::vector<DeckEquation> equations;
   settings::Analysis analysis = settings::Analysis::solid;
-  Numbers used;         ///< nodes that elements have, ascending
-  bool varies = false;  ///< a material depends on the temperature
+  Numbers used;          ///< nodes that elements have, ascending
+  bool varies = false;   ///< a material depends on the temperature
+  bool couples = false;  ///< the flow of heat depends on the contact pressure
   config::Config config;
   config::Comments comments;
   std::string temperatures;

@@ -28,6 +28,20 @@ constexpr std::array rows{
     Row{"C3D10", CellType::tet10, Analysis::solid},
     Row{"C3D15", CellType::wedge15, Analysis::solid},
     Row{"C3D20", CellType::hex20, Analysis::solid},
+    Row{"DC3D4", CellType::tet4, Analysis::solid},
+    Row{"DC3D6", CellType::wedge6, Analysis::solid},
+    Row{"DC3D8", CellType::hex8, Analysis::solid},
+    Row{"DC3D10", CellType::tet10, Analysis::solid},
+    Row{"DC3D15", CellType::wedge15, Analysis::solid},
+    Row{"DC3D20", CellType::hex20, Analysis::solid},
+    Row{"DC2D3", CellType::tri3, Analysis::plane_strain},
+    Row{"DC2D4", CellType::quad4, Analysis::plane_strain},
+    Row{"DC2D6", CellType::tri6, Analysis::plane_strain},
+    Row{"DC2D8", CellType::quad8, Analysis::plane_strain},
+    Row{"DCAX3", CellType::tri3, Analysis::axisymmetric},
+    Row{"DCAX4", CellType::quad4, Analysis::axisymmetric},
+    Row{"DCAX6", CellType::tri6, Analysis::axisymmetric},
+    Row{"DCAX8", CellType::quad8, Analysis::axisymmetric},
     Row{"CAX3", CellType::tri3, Analysis::axisymmetric},
     Row{"CAX4", CellType::quad4, Analysis::axisymmetric},
     Row{"CAX6", CellType::tri6, Analysis::axisymmetric},
@@ -45,7 +59,7 @@ constexpr std::array rows{
     Row{"CPEG6", CellType::tri6, Analysis::generalized_plane_strain},
     Row{"CPEG8", CellType::quad8, Analysis::generalized_plane_strain},
 };
-constexpr std::string_view variants = "RHIM";
+constexpr std::string_view variants = "RHIMT";
 
 /// Corners of faces and edges by their numbers in a deck, from 1.
 struct Shape {
@@ -109,7 +123,7 @@ std::optional<ElementType> element_type(std::string_view name) {
   for (const Row& row : rows) {
     if (!upper.starts_with(row.name)) continue;
     const std::string rest = upper.substr(row.name.size());
-    if (rest.find_first_not_of(variants) != std::string::npos) continue;  // C3D1 and C3D10, C3D8T
+    if (rest.find_first_not_of(variants) != std::string::npos) continue;  // C3D1 and C3D10, C3D8P
     return ElementType{std::string(name), row.cell, row.analysis, rest};
   }
   return std::nullopt;

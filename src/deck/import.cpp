@@ -8,6 +8,7 @@
 #include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/io/msh/msh_writer.hpp"
 #include "draft.hpp"
+#include "heat_tables.hpp"
 #include "matching_ties.hpp"
 
 namespace creepcontact::deck {
@@ -33,6 +34,7 @@ void refuse_what_changes_the_model(Draft& draft) {
     for (const RawCard& raw : step.cards)
       if (raw.card.name == "EQUATION" || raw.card.name == "MPC" || raw.card.name == "TRANSFORM")
         draft.refuse(raw, "constraints that change from step to step are not known");
+  refuse_steps_of_heat(draft);
   if (draft.deck.steps.empty()) draft.impossible.push_back({Place(), "STEP", "the deck has no steps"});
   std::set<settings::Analysis> analyses;
   for (const ElementBlock& block : draft.deck.elements) analyses.insert(block.type.analysis);
@@ -90,7 +92,7 @@ void make_head(Draft& draft) {
   const std::vector<DeckBody>& bodies = draft.bodies.bodies;
   if (draft.bodies.share_nodes) {
     config.mesh.share_nodes = config::SharedNodes::tie;
-    draft.comment("mesh.share_nodes", "sections of different materials that share nodes");
+    draft.comment("mesh.share_nodes", "bodies of different materials, axes or sources of heat that share nodes");
   }
   if (!draft.is_section() || draft.analysis == settings::Analysis::axisymmetric || bodies.empty()) return;
   const double thickness = bodies.front().thickness;
@@ -117,7 +119,10 @@ Import make(Draft& draft) {
   make_springs(draft);
   make_supports(draft);
   make_loads(draft);
-  make_temperature(draft);
+  if (draft.deck.conducts())
+    make_heat(draft);
+  else
+    make_temperature(draft);
   make_time(draft);
   make_probes(draft);
   raise(draft);
@@ -137,7 +142,9 @@ Import make(Draft& draft) {
 
 Import import_deck(Deck deck, const std::string& name) {
   std::vector<Note> impossible;
+  leave_out_mechanics(deck);
   std::vector<GasketLayer> gaskets = take_gaskets(deck, impossible);
+  merge_equal_temperatures(deck);
   merge_matching_ties(deck);
   adjust_contacts(deck);
   std::vector<PretensionSection> sections = cut_sections(deck, impossible);

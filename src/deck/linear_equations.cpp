@@ -68,6 +68,9 @@ class EquationReader {
         const auto coefficient = number(field(2));
         SetTerm term{resolver_.nodes(field(0)), 0, coefficient.value_or(0)};
         if (term.nodes.empty()) return refuse(raw, fmt::format("there is no node or set '{}'", field(0)), line);
+        if (direction && (*direction == 11 || *direction == 0))
+          return refuse(raw, "equations of temperatures (degree of freedom 11) are not known; *TIE of surfaces is",
+                        line);
         if (!direction || *direction < 1 || *direction > 3 || !coefficient)
           return refuse(raw, "expected a node, a direction from 1 to 3, and a coefficient", line);
         term.direction = static_cast<int>(*direction);

@@ -14,6 +14,8 @@
 namespace creepcontact::deck {
 namespace {
 
+const char* const of_users = "values from subroutines of users are not known";
+
 /// A load or support of one node, face or group of elements, with what acts on it at present.
 struct Entry {
   Course course;
@@ -26,7 +28,43 @@ struct Entry {
   std::vector<Window> windows = {};
 };
 
-enum class Condition { support, force, body_load, pressure, temperature };
+enum class Condition {
+  support,
+  force,
+  body_load,
+  pressure,
+  temperature,
+  // of heat; a film and radiation have two values each
+  given_temperature,
+  film_coefficient,
+  fluid,
+  emissivity,
+  ambient,
+  flux,
+  source,
+  point_flow,
+};
+
+bool is_of_heat(Condition kind) {
+  return kind >= Condition::given_temperature;
+}
+/// Conditions that hold from their step on, and may be released.
+bool is_held(Condition kind) {
+  return kind == Condition::support || kind == Condition::given_temperature;
+}
+/// Loads that one step gives twice at one place add up; others are replaced, as are those of earlier steps.
+bool adds_up(Condition kind) {
+  static const std::set<Condition> all{Condition::force, Condition::pressure, Condition::body_load,
+                                       Condition::flux,  Condition::source,   Condition::point_flow};
+  return all.contains(kind);
+}
+
+/// Where a card of heat has its place, its values and what releases them.
+struct FaceFlow {
+  char letter = 0;  ///< of the label of a face: F1
+  Condition factor{}, beyond{};
+  const char* own_amplitude = "";  ///< of the factor
+};
 
 struct Key {
   Condition kind{};
@@ -40,8 +78,8 @@ class Joiner {
   Joiner(const Deck& deck, const std::set<std::int64_t>& lockable, std::vector<Note>& impossible,
          std::vector<Note>& left_out)
       : deck_(deck), resolver_(deck), lockable_(lockable), impossible_(impossible), left_out_(left_out) {
-    creeps_ = std::ranges::any_of(deck.steps, [](const Step& step) { return step.is_creep; });
-    if (creeps_) static_time_ = time_of_static_step(deck);
+    time_runs_ = std::ranges::any_of(deck.steps, &Step::takes_time);
+    if (time_runs_) static_time_ = time_of_static_step(deck);
   }
 
   Loading join() {
@@ -65,32 +103,75 @@ class Joiner {
         if (raw.card.name == "DLOAD") distributed(raw);
         if (raw.card.name == "DSLOAD") on_surfaces(raw);
         if (raw.card.name == "TEMPERATURE") temperature(raw);
+        heat(raw);
       }
       if (frees_bolts_ != nullptr && held_bolts_.size() < loading_.locked.size())
         impossible(*frees_bolts_, frees_bolts_->places.size(),
                    "OP=NEW frees a bolt whose length was held; FIXED holds it again");
-      const double duration = creeps_ && !step.is_creep ? static_time_ : step.period;
-      if (static_time_ > 0 && !step.is_creep) note_static_time(step);
-      for (auto& [key, entry] : entries_) advance(entry, step, time, duration, total);
+      const double duration = duration_of(step);
+      if (static_time_ > 0 && !step.takes_time()) note_static_time(step);
+      if (step.conducts) check_steady_states(step);
+      for (auto& [key, entry] : entries_)
+        if (is_of_heat(key.kind) && step.is_steady)
+          reach_at_once(entry, step, time, duration, total);
+        else
+          advance(entry, step, time, duration, total);
       time += duration;
       total += step.period;
       loading_.step_ends.push_back(time);
-      if (step.is_creep) crept_until_ = time;
+      if (step.takes_time()) crept_until_ = time;
     }
     loading_.end = time;
+    if (deck_.conducts()) loading_.heat.time_of_states = static_time_;
     for (auto& [key, entry] : entries_) store(key, entry);
     std::erase_if(loading_.bodies, [](const Loading::Body& body) { return body.course.is_zero(); });
     return std::move(loading_);
   }
 
  private:
+  double duration_of(const Step& step) const {
+    if (step.is_steady && !step.deforms) return static_time_;
+    return time_runs_ && !step.takes_time() ? static_time_ : step.period;
+  }
+
   void note_static_time(const Step& step) {
     if (std::exchange(noted_static_time_, true)) return;
+    if (std::ranges::any_of(deck_.steps, &Step::is_transient)) {
+      left_out_.push_back({step.place, "STEP",
+                           fmt::format("temperatures go on changing, so each *STATIC step and each steady state takes "
+                                       "{:g} of time in the run, in which they do not change noticeably",
+                                       static_time_)});
+      return;
+    }
     left_out_.push_back({step.place, "STATIC",
                          fmt::format("what yields or slides depends on the order of the loads, so each *STATIC step "
                                      "takes {:g} of time in the run, in which creep is negligible",
                                      static_time_)});
   }
+  /// The run has one steady state, at its begin: with the loads of the first step that computes one.
+  void check_steady_states(const Step& step) {
+    const auto refuse = [&](const char* why) { impossible_.push_back({step.place, "STEP", why}); };
+    const bool is_first = !std::exchange(has_conducted_, true);
+    if (!step.is_steady) {
+      warms_up_ = true;
+      return;
+    }
+    if (warms_up_) return refuse("a steady state after a transient; a transient step that is long enough reaches it");
+    if (is_first) {
+      if (!loading_.step_ends.empty())
+        refuse("a steady state after *STATIC or *VISCO steps, in which the temperature would be another one");
+      return;
+    }
+    if (std::ranges::any_of(entries_, [](const auto& one) {
+          const Entry& entry = one.second;
+          return is_of_heat(one.first.kind) &&
+                 (entry.is_new || entry.is_dropped || (entry.amplitude != nullptr && entry.amplitude->total_time));
+        }))
+      refuse(
+          "a steady state after another one, with other films, flows or temperatures; make a deck for each steady "
+          "state, or a transient step between them");
+  }
+
   void impossible(const RawCard& raw, std::size_t line, const std::string& why) {
     impossible_.push_back({line < raw.places.size() ? raw.places[line] : raw.card.place, raw.card.name, why});
   }
@@ -104,8 +185,8 @@ class Joiner {
     if (!found) impossible(raw, line, fmt::format("'{}' is not a number", text));
     return found.value_or(0);
   }
-  const Amplitude* amplitude(const RawCard& raw) {
-    const std::string name = raw.card.value("AMPLITUDE");
+  const Amplitude* amplitude(const RawCard& raw, const char* parameter = "AMPLITUDE") {
+    const std::string name = raw.card.value(parameter);
     if (name.empty()) return nullptr;
     const auto found = deck_.amplitudes.find(upper_case(name));
     if (found == deck_.amplitudes.end() || found->second.points.empty()) {
@@ -123,17 +204,16 @@ class Joiner {
   void give(const RawCard& raw, std::size_t line, const Key& key, double target, const Amplitude* amplitude) {
     const auto [found, is_first] = entries_.try_emplace(key);
     Entry& entry = found->second;
-    // Loads that one step gives twice add up; supports and temperatures are replaced, as are those of earlier steps.
-    if (entry.is_new &&
-        (key.kind == Condition::force || key.kind == Condition::pressure || key.kind == Condition::body_load)) {
+    if (entry.is_new && adds_up(key.kind)) {
       if (entry.amplitude != amplitude)
         return impossible(raw, line, "two loads of one step at one place with different amplitudes; join these to one");
       target += entry.target;
     }
-    if (is_first && key.kind == Condition::temperature) entry.rest = initial_temperature(key.of);
+    if (is_first && (key.kind == Condition::temperature || key.kind == Condition::given_temperature))
+      entry.rest = initial_temperature(key.of);
     if (is_first) entry.course.add(0, entry.rest);
     if (is_first && !loading_.step_ends.empty()) entry.course.add(loading_.step_ends.back(), entry.rest);
-    if (key.kind == Condition::support && (is_first || entry.windows.back().until)) {
+    if (is_held(key.kind) && (is_first || entry.windows.back().until)) {
       entry.windows.emplace_back();
       if (!loading_.step_ends.empty()) entry.windows.back().from = loading_.step_ends.back();
     }
@@ -146,6 +226,7 @@ class Joiner {
   void boundary(const RawCard& raw) {
     if (replaces(raw)) {
       drop(Condition::support);
+      drop(Condition::given_temperature);
       if (!loading_.step_ends.empty()) frees_bolts_ = &raw;
     }
     const Amplitude* factors = amplitude(raw);
@@ -166,11 +247,17 @@ class Joiner {
       } else {
         const auto first = whole_number(field(raw, line, 1));
         const auto last = field(raw, line, 2).empty() ? first : whole_number(field(raw, line, 2));
+        if (first && is_temperature(*first) && first == last) {
+          given_temperature(raw, line, nodes, factors);
+          continue;
+        }
         if (!first || !last || *first < 1 || *last < *first) {
           impossible(raw, line, fmt::format("'{}' is not a degree of freedom", field(raw, line, 1)));
           continue;
         }
-        if (*last > 6) impossible(raw, line, fmt::format("degree of freedom {} is not known", *last));
+        if (*last > 6)
+          impossible(raw, line,
+                     fmt::format("degree of freedom {} is not known; 1 to 6 and, for temperatures, 11 are", *last));
         for (auto k = *first; k <= std::min<std::int64_t>(*last, 6); ++k) directions.push_back(static_cast<int>(k));
       }
       if (raw.card.has("FIXED")) {
@@ -181,6 +268,126 @@ class Joiner {
         for (const int direction : directions)
           give(raw, line, {Condition::support, node, direction}, value(raw, line, 3), factors);
     }
+  }
+
+  /// Degree of freedom 11, in CalculiX also 0.
+  static bool is_temperature(std::int64_t freedom) { return freedom == 11 || freedom == 0; }
+
+  void given_temperature(const RawCard& raw, std::size_t line, const Numbers& nodes, const Amplitude* factors) {
+    if (!conducts(raw)) return;
+    if (raw.card.has("FIXED")) return impossible(raw, line, "FIXED: temperatures that stay as they are are not known");
+    for (const std::int64_t node : nodes)
+      give(raw, line, {Condition::given_temperature, node, 0}, value(raw, line, 3), factors);
+  }
+
+  /// Whether heat counts; else a line says that it does not.
+  bool conducts(const RawCard& raw) {
+    if (deck_.conducts()) return true;
+    left_out_.push_back({raw.card.place, raw.card.name, "it does not act, for no step computes temperatures"});
+    return false;
+  }
+
+  void heat(const RawCard& raw) {
+    static const std::map<std::string, FaceFlow> flows{
+        {"FILM", {'F', Condition::film_coefficient, Condition::fluid, "FILMAMPLITUDE"}},
+        {"SFILM", {'F', Condition::film_coefficient, Condition::fluid, "FILMAMPLITUDE"}},
+        {"RADIATE", {'R', Condition::emissivity, Condition::ambient, "RADIATIONAMPLITUDE"}},
+        {"SRADIATE", {'R', Condition::emissivity, Condition::ambient, "RADIATIONAMPLITUDE"}},
+        {"DFLUX", {'S', Condition::flux, Condition::flux, ""}},
+        {"DSFLUX", {'S', Condition::flux, Condition::flux, ""}}};
+    if (raw.card.name == "CFLUX" && conducts(raw)) point_flow(raw);
+    const auto found = flows.find(raw.card.name);
+    if (found == flows.end() || !conducts(raw)) return;
+    const FaceFlow& flow = found->second;
+    if (replaces(raw)) {
+      drop(flow.factor);
+      if (flow.factor == Condition::flux) drop(Condition::source);
+    }
+    const Amplitude* factors = amplitude(raw);
+    const Amplitude* own = amplitude(raw, flow.own_amplitude);
+    const bool is_on_surface = raw.card.name.front() == 'S' || raw.card.name == "DSFLUX";
+    for (std::size_t line = 0; line < raw.data.size(); ++line) {
+      const std::string label = upper_case(field(raw, line, 1));
+      if (raw.card.name == "DFLUX" && label == "BF") {
+        source(raw, line, factors);
+        continue;
+      }
+      for (const ElementFace& face :
+           is_on_surface ? on_surface(raw, line, label, flow.letter) : on_elements(raw, line, label, flow.letter)) {
+        if (flow.factor == Condition::flux) {
+          give(raw, line, {Condition::flux, face.element, face.face}, value(raw, line, 2), factors);
+          continue;
+        }
+        give(raw, line, {flow.beyond, face.element, face.face}, value(raw, line, 2), factors);
+        give(raw, line, {flow.factor, face.element, face.face}, value(raw, line, 3), own);
+      }
+    }
+  }
+
+  void point_flow(const RawCard& raw) {
+    if (replaces(raw)) drop(Condition::point_flow);
+    const Amplitude* factors = amplitude(raw);
+    for (std::size_t line = 0; line < raw.data.size(); ++line) {
+      const Numbers nodes = resolver_.nodes(field(raw, line, 0));
+      if (nodes.empty()) impossible(raw, line, fmt::format("there is no node or set '{}'", field(raw, line, 0)));
+      const auto freedom = field(raw, line, 1).empty() ? 11 : whole_number(field(raw, line, 1));
+      if (!freedom || !is_temperature(*freedom))
+        impossible(raw, line, fmt::format("'{}' is not the degree of freedom of heat: 11", field(raw, line, 1)));
+      for (const std::int64_t node : nodes)
+        give(raw, line, {Condition::point_flow, node, 0}, value(raw, line, 2), factors);
+    }
+  }
+
+  void source(const RawCard& raw, std::size_t line, const Amplitude* factors) {
+    const Numbers elements = elements_of(raw, line);
+    auto& all = loading_.heat.sources;
+    auto found = std::ranges::find_if(all, [&](const HeatLoading::Source& one) { return one.elements == elements; });
+    if (found == all.end()) found = all.insert(found, {elements, {}});
+    give(raw, line, {Condition::source, found - all.begin(), 0}, value(raw, line, 2), factors);
+  }
+
+  Numbers elements_of(const RawCard& raw, std::size_t line) {
+    const Numbers elements = field(raw, line, 0).empty() ? all_elements() : resolver_.elements(field(raw, line, 0));
+    if (elements.empty()) impossible(raw, line, fmt::format("there is no element or set '{}'", field(raw, line, 0)));
+    return elements;
+  }
+
+  /// Faces "F3" of elements.
+  std::vector<ElementFace> on_elements(const RawCard& raw, std::size_t line, const std::string& label, char letter) {
+    const auto number = label.size() == 2 && label[0] == letter ? whole_number(label.substr(1)) : std::nullopt;
+    if (!number || *number < 1 || *number > 6) {
+      impossible(raw, line, why_unknown(label, letter));
+      return {};
+    }
+    std::vector<ElementFace> faces;
+    for (const std::int64_t element : elements_of(raw, line)) {
+      faces.push_back({element, static_cast<int>(*number)});
+      if (face(element_cell(deck_, element), faces.back().face) != nullptr) continue;
+      impossible(raw, line, fmt::format("element {} has no face {}", element, label));
+      return {};
+    }
+    return faces;
+  }
+
+  static std::string why_unknown(const std::string& label, char letter) {
+    if (label.ends_with("CR")) return "radiation between surfaces (CR) is not known, only to surroundings";
+    if (label.ends_with("FC")) return "the temperature of a fluid that flows (FC) is not known; give it as a number";
+    if (label.find("NU") != std::string::npos) return of_users;
+    return fmt::format("'{}' is not known; faces {}1 to {}6 are{}", label, letter, letter,
+                       letter == 'S' ? ", and BF" : "");
+  }
+
+  std::vector<ElementFace> on_surface(const RawCard& raw, std::size_t line, const std::string& label, char letter) {
+    const auto surface = deck_.surfaces.find(upper_case(field(raw, line, 0)));
+    if (surface == deck_.surfaces.end()) {
+      impossible(raw, line, fmt::format("there is no surface '{}'", field(raw, line, 0)));
+      return {};
+    }
+    if (label != std::string(1, letter)) {
+      impossible(raw, line, fmt::format("'{}' is not known; {} is", label, letter));
+      return {};
+    }
+    return faces_of(deck_, surface->second, impossible_);
   }
 
   /// FIXED: the displacement reached at the end of the step before.
@@ -336,6 +543,8 @@ class Joiner {
   }
 
   void temperature(const RawCard& raw) {
+    if (deck_.conducts())
+      return impossible(raw, raw.places.size(), "temperatures that are given next to computed ones");
     if (replaces(raw)) drop(Condition::temperature);
     const Amplitude* factors = amplitude(raw);
     for (std::size_t line = 0; line < raw.data.size(); ++line) {
@@ -386,7 +595,7 @@ class Joiner {
     } else if (!entry.is_new) {
       entry.course.add(time, old);
       entry.course.add(end, old);
-    } else if (step.ramps == "STEP" || (step.is_creep && step.ramps != "RAMP")) {
+    } else if (step.ramps == "STEP" || (step.takes_time() && !step.is_steady && step.ramps != "RAMP")) {
       entry.course.add(time, old);
       entry.course.add(time, entry.target);
       entry.course.add(end, entry.target);
@@ -397,8 +606,47 @@ class Joiner {
     entry.is_new = false;
   }
 
+  /// A steady state has the values of the end of its step throughout.
+  void reach_at_once(Entry& entry, const Step& step, double time, double duration, double total) {
+    Entry reached = entry;
+    advance(reached, step, time, duration, total);
+    const double value = reached.course.last();
+    reached.course = entry.course;
+    reached.course.add(time, entry.course.last());
+    reached.course.add(time, value);
+    reached.course.add(time + duration, value);
+    entry = std::move(reached);
+  }
+
   void store(const Key& key, Entry& entry) {
+    const ElementFace face{key.of, key.part};
     switch (key.kind) {
+      case Condition::given_temperature:
+        store_temperature(key.of, entry);
+        break;
+      case Condition::film_coefficient:
+        if (!entry.course.is_zero()) loading_.heat.films[face].factor = entry.course;
+        break;
+      case Condition::emissivity:
+        if (!entry.course.is_zero()) loading_.heat.radiation[face].factor = entry.course;
+        break;
+      case Condition::fluid:  // after the coefficients
+        if (const auto film = loading_.heat.films.find(face); film != loading_.heat.films.end())
+          film->second.beyond = entry.course;
+        break;
+      case Condition::ambient:
+        if (const auto found = loading_.heat.radiation.find(face); found != loading_.heat.radiation.end())
+          found->second.beyond = entry.course;
+        break;
+      case Condition::flux:
+        if (!entry.course.is_zero()) loading_.heat.fluxes[face] = entry.course;
+        break;
+      case Condition::source:
+        loading_.heat.sources[static_cast<std::size_t>(key.of)].course = entry.course;
+        break;
+      case Condition::point_flow:
+        if (!entry.course.is_zero()) loading_.heat.point_flows[key.of] = entry.course;
+        break;
       case Condition::support:
         if (entry.windows.size() != 1 || entry.windows.front() != Window{}) {
           std::erase_if(entry.windows,
@@ -427,17 +675,39 @@ class Joiner {
     }
   }
 
+  /// A node that is given a temperature keeps it to the end, for [heat] knows no other.
+  void store_temperature(std::int64_t node, Entry& entry) {
+    std::erase_if(entry.windows,
+                  [](const Window& window) { return window.until && *window.until <= window.from.value_or(0); });
+    if (entry.windows.empty()) return;
+    const Window& window = entry.windows.front();
+    // Before a transient every node has the temperature of the start, given or not; a steady state would be another
+    // one.
+    const double first = std::ranges::any_of(deck_.steps, &Step::is_steady)
+                             ? 0.0
+                             : static_cast<double>(deck_.steps.size()) * loading_.heat.time_of_states;
+    if (entry.windows.size() > 1 || window.from.value_or(0) > first || window.until) {
+      impossible_.push_back({deck_.steps.back().place, "BOUNDARY",
+                             fmt::format("node {} has a given temperature in some steps only; a *FILM with a large "
+                                         "coefficient, whose FILM AMPLITUDE ends it, does nearly the same",
+                                         node)});
+      return;
+    }
+    loading_.heat.temperatures[node] = entry.course;
+  }
+
   const Deck& deck_;
   Resolver resolver_;
   const std::set<std::int64_t>& lockable_;
   std::vector<Note>&impossible_, &left_out_;
   std::map<Key, Entry> entries_;
   Loading loading_;
-  bool creeps_ = false, warned_of_geometry_ = false, noted_static_time_ = false;
-  double static_time_ = 0;                // that a *STATIC step takes next to *VISCO steps
-  double crept_until_ = 0;                // end of the last *VISCO step
-  const RawCard* frees_bolts_ = nullptr;  // OP=NEW in the present step
-  std::set<std::int64_t> held_bolts_;     // in the present step
+  bool time_runs_ = false, warned_of_geometry_ = false, noted_static_time_ = false;
+  bool has_conducted_ = false, warms_up_ = false;  // in the steps so far
+  double static_time_ = 0;                         // that a *STATIC step takes next to *VISCO steps
+  double crept_until_ = 0;                         // end of the last step that takes time
+  const RawCard* frees_bolts_ = nullptr;           // OP=NEW in the present step
+  std::set<std::int64_t> held_bolts_;              // in the present step
 };
 
 }  // namespace

@@ -46,6 +46,26 @@ struct Window {
   auto operator<=>(const Window&) const = default;  // NOLINT(modernize-use-nullptr): it sees a 0 in the default
 };
 
+/// Heat that is exchanged through a face with what is beyond it.
+struct Exchange {
+  Course factor;  ///< film coefficient or emissivity
+  Course beyond;  ///< temperature of the fluid or of the surroundings
+};
+
+/// What makes temperatures, in decks that compute them.
+struct HeatLoading {
+  std::map<std::int64_t, Course> temperatures;  ///< that are given, by node
+  std::map<ElementFace, Exchange> films, radiation;
+  std::map<ElementFace, Course> fluxes;
+  struct Source {
+    Numbers elements;
+    Course course;
+  };
+  std::vector<Source> sources;
+  std::map<std::int64_t, Course> point_flows;
+  double time_of_states = 0;  ///< of the run, that steady states and *STATIC steps take next to transient ones
+};
+
 struct Loading {
   double end = 0;
   std::vector<double> step_ends;
@@ -73,10 +93,11 @@ struct Loading {
   /// Initial temperatures that differ from node to node: `temperatures` are then differences from these, and the
   /// initial one is 0. Nodes that are not among them begin at 0.
   std::map<std::int64_t, double> initial_temperatures;
+  HeatLoading heat;
 };
 
-/// Joins the steps: *STATIC steps ramp, *VISCO steps begin with their loads. If the deck has *VISCO steps, the others,
-/// in which nothing creeps, take no time or time_of_static_step().
+/// Joins the steps: *STATIC steps and steady states ramp, *VISCO and transient steps begin with their loads. If the
+/// deck has steps that take time, the others, in which nothing creeps or warms up, take none or time_of_static_step().
 /// @param lockable  reference nodes that FIXED may hold where they are
 /// @param impossible  gets what cannot be done; @param left_out  what is not taken into account
 Loading join_steps(const Deck& deck, const std::set<std::int64_t>& lockable, std::vector<Note>& impossible,

@@ -25,13 +25,13 @@ Numbers nodes_of(const Deck& deck, const std::string& name) {
   return {nodes.begin(), nodes.end()};
 }
 
-/// Two forces on nodes that become one would not add up.
+/// Two forces, or flows of heat, on nodes that become one would not add up.
 std::set<std::int64_t> loaded_nodes(const Deck& deck) {
   const Resolver resolver(deck);
   std::set<std::int64_t> nodes;
   for (const Step& step : deck.steps)
     for (const RawCard& raw : step.cards)
-      if (raw.card.name == "CLOAD")
+      if (raw.card.name == "CLOAD" || raw.card.name == "CFLUX")
         for (const std::vector<std::string>& line : raw.data)
           if (!line.empty())
             for (const std::int64_t node : resolver.nodes(line[0])) nodes.insert(node);
@@ -75,7 +75,59 @@ void rename(Deck& deck, const std::vector<std::pair<std::int64_t, std::int64_t>>
   deck.same_as.insert(pairs.begin(), pairs.end());
 }
 
+/// Pairs of nodes at one place whose temperatures a card sets equal; empty if it says something else too.
+std::vector<std::pair<std::int64_t, std::int64_t>> equal_temperatures(const Deck& deck, const RawCard& equation) {
+  constexpr std::size_t n_terms = 2;
+  const Resolver resolver(deck);
+  Eigen::AlignedBox3d box;
+  for (const Vector3& position : deck.positions) box.extend(position);
+  std::vector<std::pair<std::int64_t, std::int64_t>> result;
+  std::vector<std::string> fields;  // of one equation, after the number of its terms
+  bool is_begun = false;
+  for (const std::vector<std::string>& line : equation.data) {
+    if (!std::exchange(is_begun, true)) {
+      if (line.size() != 1 || whole_number(line[0]) != n_terms) return {};
+      continue;
+    }
+    fields.insert(fields.end(), line.begin(), line.end());
+    if (fields.size() < 3 * n_terms) continue;
+    const Numbers first = resolver.nodes(fields[0]), second = resolver.nodes(fields[3]);
+    const bool is_of_temperatures = (fields[1] == "11" || fields[1] == "0") && (fields[4] == "11" || fields[4] == "0");
+    const auto a = number(fields[2]), b = number(fields[5]);
+    if (fields.size() > 3 * n_terms || !is_of_temperatures || !a || !b || *a == 0 || *a + *b != 0 ||
+        first.size() != 1 || second.size() != 1 || first == second)
+      return {};
+    const Vector3 apart =
+        deck.positions[deck.node_of_number.at(first[0])] - deck.positions[deck.node_of_number.at(second[0])];
+    if (apart.norm() > same_place * box.diagonal().norm()) return {};
+    result.emplace_back(first[0], second[0]);
+    fields.clear();
+    is_begun = false;
+  }
+  return result;
+}
+
 }  // namespace
+
+void merge_equal_temperatures(Deck& deck) {
+  if (deck.steps.empty() || !deck.conducts() || deck.deforms()) return;
+  const std::set<std::int64_t> loaded = loaded_nodes(deck);
+  std::erase_if(deck.cards, [&](const RawCard& raw) {
+    if (raw.card.name != "EQUATION") return false;
+    bool is_merged = false;
+    // One pair after the other: a later one may name a node that has become another.
+    for (auto [from, to] : equal_temperatures(deck, raw)) {
+      if (loaded.contains(from) || loaded.contains(to)) return false;
+      const auto now = [&](std::int64_t node) {
+        const auto found = deck.same_as.find(node);
+        return found == deck.same_as.end() ? node : found->second;
+      };
+      if (now(from) != now(to)) rename(deck, {{now(from), now(to)}});
+      is_merged = true;
+    }
+    return is_merged;
+  });
+}
 
 void merge_matching_ties(Deck& deck) {
   if (std::ranges::none_of(deck.cards, [](const RawCard& raw) { return raw.card.name == "TIE"; })) return;

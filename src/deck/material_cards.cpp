@@ -157,6 +157,18 @@ void DeckReader::density(const Card& card) {
   table(&Material::density, card, 1, 2);
 }
 
+void DeckReader::conductivity(const Card& card) {
+  const std::string type = type_of(card);
+  const bool along_axes = is_orthotropic(type);
+  if (!along_axes && !is_isotropic(type)) return refuse_type(card, "conductivity", "ISO and ORTHO");
+  table(&Material::conductivity, card, along_axes ? 3 : 1, along_axes ? 4 : 2);
+  if (material_ != nullptr) material_->conducts_along_axes = along_axes;
+}
+
+void DeckReader::specific_heat(const Card& card) {
+  table(&Material::specific_heat, card, 1, 2);
+}
+
 void DeckReader::creep(const Card& card) {
   if (material_ != nullptr) {
     if (!card.value("LAW").empty()) material_->creep_law = upper_case(card.value("LAW"));
@@ -188,11 +200,15 @@ void DeckReader::cyclic_hardening(const Card& card) {
 }
 
 void DeckReader::physical_constants(const Card& card) {
-  if (const std::string& given = card.value("ABSOLUTEZERO"); !given.empty()) {
-    const std::optional<double> zero = number(given);
-    if (!zero) return mistake(card.place, fmt::format("ABSOLUTE ZERO: '{}' is not a number", given));
-    deck_.absolute_zero = *zero;
-  }
+  const auto constant = [&](const char* parameter, const char* name) -> std::optional<double> {
+    const std::string& given = card.value(parameter);
+    if (given.empty()) return std::nullopt;
+    const std::optional<double> found = number(given);
+    if (!found) mistake(card.place, fmt::format("{}: '{}' is not a number", name, given));
+    return found;
+  };
+  if (const auto zero = constant("ABSOLUTEZERO", "ABSOLUTE ZERO")) deck_.absolute_zero = *zero;
+  if (const auto sigma = constant("STEFANBOLTZMANN", "STEFAN BOLTZMANN")) deck_.stefan_boltzmann = sigma;
 }
 
 void DeckReader::gasket_behavior(const Card& card) {

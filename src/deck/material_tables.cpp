@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "anisotropy_tables.hpp"
+#include "heat_tables.hpp"
 #include "plasticity_tables.hpp"
 
 namespace creepcontact::deck {
@@ -16,7 +17,8 @@ bool has_creep_steps(const Draft& draft) {
   return std::ranges::any_of(draft.deck.steps, &Step::is_creep);
 }
 
-/// Temperatures of a table must increase. @returns whether they do
+}  // namespace
+
 bool is_in_order(Draft& draft, const char* card, const Table& table, std::size_t of_temperature) {
   const auto temperature = [&](const std::vector<double>& row) {
     return row.size() > of_temperature ? row[of_temperature] : 0.0;
@@ -30,6 +32,8 @@ bool is_in_order(Draft& draft, const char* card, const Table& table, std::size_t
     }
   return true;
 }
+
+namespace {
 
 /// Returns the time of the *STATIC steps before the first *VISCO step, which take no time here.
 double time_before_creep(Draft& draft) {
@@ -75,7 +79,8 @@ Function expansion_coefficient(const Draft& draft, const Material& material, std
 }
 
 bool expands(const Draft& draft, const Material& material) {
-  return material.expansion && !material.expansion->rows.empty() && !draft.loading.temperatures.empty();
+  return material.expansion && !material.expansion->rows.empty() &&
+         (!draft.loading.temperatures.empty() || draft.deck.conducts());
 }
 
 void make_expansion(const Draft& draft, const Material& material, config::Material& made) {
@@ -200,9 +205,19 @@ bool depends_on_temperature_by_yielding(const config::Material& made) {
           }));
 }
 
+/// Initial temperatures that differ from node to node are taken off those that are given; computed ones stay.
+bool follows_initial_temperatures(const Draft& draft, const Material& material, const config::Material& made) {
+  if (draft.deck.conducts()) return !expands(draft, material);
+  return !depends_on_temperature_by_yielding(made) &&
+         std::ranges::none_of(std::array{&material.elastic, &material.expansion, &material.creep},
+                              [](const std::optional<Table>* table) { return *table && (*table)->rows.size() > 1; });
+}
+
 void make_material(Draft& draft, const Material& material, config::Material& made) {
   made.name = material.name;
   draft.comment("materials." + made.name, material.place.text());
+  if (draft.deck.conducts() && !make_conduction(draft, material, made)) return;
+  if (!draft.deck.deforms()) return;
   if (!material.elastic || material.elastic->rows.empty()) {
     draft.impossible.push_back({material.place, "MATERIAL", fmt::format("'{}' has no *ELASTIC", material.name)});
     return;
@@ -220,16 +235,11 @@ void make_material(Draft& draft, const Material& material, config::Material& mad
   }
   make_plasticity(draft, material, made);
   draft.varies = draft.varies || material.elastic->rows.size() > 1 || depends_on_temperature_by_yielding(made);
-  const bool depends_on_temperature =
-      depends_on_temperature_by_yielding(made) ||
-      std::ranges::any_of(std::array{&material.elastic, &material.expansion, &material.creep},
-                          [](const std::optional<Table>* table) { return *table && (*table)->rows.size() > 1; });
-  if (depends_on_temperature && !draft.loading.initial_temperatures.empty())
+  if (!draft.loading.initial_temperatures.empty() && !follows_initial_temperatures(draft, material, made))
     draft.impossible.push_back(
         {material.place, "MATERIAL",
-         fmt::format("'{}' depends on the temperature, and initial temperatures differ from node "
-                     "to node",
-                     material.name)});
+         fmt::format("'{}' {}, and initial temperatures differ from node to node", material.name,
+                     draft.deck.conducts() ? "expands from them" : "depends on the temperature")});
   make_expansion(draft, material, made);
   if (material.potential) make_hill(draft, material, made);
   make_creep(draft, material, yields(material) ? "material is elastic and yields" : "material is elastic", made.creep,

@@ -14,4 +14,7 @@ std::optional<Function> expansion_of(Draft& draft, const Material& material);
 void make_creep(Draft& draft, const Material& material, const std::string& what_is_left,
                 std::vector<config::CreepMechanism>& creep, const std::string& key);
 
+/// Temperatures of a table must increase. @returns whether they do; else the model is impossible
+bool is_in_order(Draft& draft, const char* card, const Table& table, std::size_t of_temperature);
+
 }  // namespace creepcontact::deck

@@ -38,12 +38,30 @@ config::Probe at_point(const Vector3& position, const std::string& body) {
   return probe;
 }
 
-void make_displacements(Draft& draft) {
+/// Nodes for which a variable is printed.
+std::set<std::int64_t> printed_nodes(const Draft& draft, const std::string& variable) {
   std::set<std::int64_t> nodes;
   for (const RawCard* raw : draft.cards("NODE PRINT"))
-    if (asks_for(*raw, "U"))
+    if (asks_for(*raw, variable))
       for (const std::int64_t node : draft.resolver.nodes(raw->card.value("NSET")))
         if (draft.is_used(node)) nodes.insert(node);
+  return nodes;
+}
+
+void make_temperatures(Draft& draft) {
+  const std::set<std::int64_t> nodes = printed_nodes(draft, "NT");
+  const std::size_t first = draft.config.probes.size();
+  std::size_t written = 0;
+  for (const std::int64_t node : nodes) {
+    if (++written > most) break;
+    add_probe(draft, fmt::format("nt_node_{}", node), "temperature",
+              at_point(draft.position(node), draft.bodies_at(node).front()));
+  }
+  note_rest(draft, first, nodes.size(), "nodes");
+}
+
+void make_displacements(Draft& draft) {
+  const std::set<std::int64_t> nodes = printed_nodes(draft, "U");
   const std::size_t first = draft.config.probes.size();
   std::size_t written = 0;
   for (const std::int64_t node : nodes) {
@@ -151,15 +169,22 @@ void make_stresses(Draft& draft) {
 }  // namespace
 
 void make_probes(Draft& draft) {
-  note_other_variables(draft, "NODE PRINT", {"U", "RF"});
-  make_displacements(draft);
-  make_reactions(draft);
-  make_stresses(draft);
+  const bool conducts = draft.deck.conducts(), deforms = draft.deck.deforms();
+  std::vector<std::string> of_nodes;
+  if (conducts) of_nodes.emplace_back("NT");
+  if (deforms) of_nodes.insert(of_nodes.end(), {"U", "RF"});
+  note_other_variables(draft, "NODE PRINT", of_nodes);
+  if (conducts) make_temperatures(draft);
+  if (deforms) {
+    make_displacements(draft);
+    make_reactions(draft);
+    make_stresses(draft);
+  }
   if (draft.config.probes.empty())
     draft.left_out.push_back(
         {draft.deck.steps.back().place, "STEP",
-         "no *NODE PRINT of U or RF and no *EL PRINT of S, E, PE, CE, PEEQ or CEEQ: there are no probes; add "
-         "[[probes]] for columns of history.csv"});
+         fmt::format("no *NODE PRINT of {}{}: there are no probes; add [[probes]] for columns of history.csv",
+                     fmt::join(of_nodes, " or "), deforms ? " and no *EL PRINT of S, E, PE, CE, PEEQ or CEEQ" : "")});
 }
 
 }  // namespace creepcontact::deck

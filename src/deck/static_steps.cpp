@@ -35,7 +35,7 @@ bool has_amplitude(const RawCard& raw) {
 }
 
 bool is_one_load_that_lasts(const Deck& deck) {
-  const auto is_static = [](const Step& step) { return !step.is_creep; };
+  const auto is_static = [](const Step& step) { return !step.takes_time() && step.deforms; };
   return is_static(deck.steps.front()) && std::ranges::count_if(deck.steps, is_static) == 1 &&
          std::ranges::none_of(deck.cards, has_amplitude) &&
          std::ranges::none_of(deck.steps.front().cards, has_amplitude) &&
@@ -47,10 +47,11 @@ bool is_one_load_that_lasts(const Deck& deck) {
 double time_of_static_step(const Deck& deck) {
   constexpr double of_shortest = 1e-6;
   constexpr double of_all = 1e-8;  // outputs just before a jump are 1e-9 of the time before it
-  if (!depends_on_path(deck) || is_one_load_that_lasts(deck)) return 0;
+  const bool warms_up = std::ranges::any_of(deck.steps, &Step::is_transient);
+  if (!warms_up && (!depends_on_path(deck) || is_one_load_that_lasts(deck))) return 0;
   double shortest = std::numeric_limits<double>::infinity(), all = 0;
   for (const Step& step : deck.steps)
-    if (step.is_creep) {
+    if (step.takes_time()) {
       shortest = std::min(shortest, step.period);
       all += step.period;
     }

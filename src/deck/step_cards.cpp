@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "deck_reader.hpp"
 
 namespace creepcontact::deck {
@@ -20,7 +22,8 @@ void DeckReader::step(const Card& card) {
 void DeckReader::end_step(const Card& card) {
   if (!step_open_) return mistake(card.place, "there is no *STEP before it");
   if (const Step& step = deck_.steps.back(); !step.has_procedure && deck_.impossible.empty())
-    deck_.impossible.push_back({step.place, "STEP", "it has no procedure; *STATIC and *VISCO are known"});
+    deck_.impossible.push_back(
+        {step.place, "STEP", "it has no procedure; *STATIC, *VISCO and *HEAT TRANSFER are known"});
   step_open_ = false;
 }
 
@@ -50,6 +53,27 @@ void DeckReader::no_analysis(const Card& card) {
 
 void DeckReader::visco(const Card& card) {
   procedure(card, true);
+}
+
+void DeckReader::heat_transfer(const Card& card) {
+  conducting_procedure(card, false);
+}
+
+void DeckReader::temperature_displacement(const Card& card) {
+  conducting_procedure(card, true);
+}
+
+void DeckReader::conducting_procedure(const Card& card, bool deforms) {
+  procedure(card, false);
+  if (!step_open_) return;
+  Step& step = deck_.steps.back();
+  step.conducts = true;
+  step.is_steady = card.has("STEADYSTATE");
+  step.deforms = deforms;
+  step.is_creep =
+      deforms && std::ranges::any_of(deck_.materials, [](const auto& one) { return one.second.creep.has_value(); });
+  if (card.has("TIMERESET") && deck_.steps.size() > 1)
+    deck_.impossible.push_back({card.place, card.name, "TIME RESET: a total time that is set again is not known"});
 }
 
 }  // namespace creepcontact::deck

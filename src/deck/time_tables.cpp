@@ -74,6 +74,7 @@ std::set<double> sudden_times(const Loading& loading) {
   for (const auto& [face, course] : loading.pressures) add(course);
   for (const auto& [node, course] : loading.temperatures) add(course);
   for (const Loading::Body& load : loading.bodies) add(load.course);
+  for (const auto& [node, course] : loading.heat.temperatures) add(course);
   for (const auto& [key, windows] : loading.windows)
     for (const Window& window : windows)
       for (const auto& time : {window.from, window.until})
@@ -93,7 +94,8 @@ void make_time(Draft& draft) {
     const bool is_sudden = time != draft.loading.end && sudden.contains(time);
     draft.config.time.output.push_back(rounded(is_sudden ? time * (1 - just_before) : time));
   }
-  if (!(draft.loading.end > 0))
+  const bool is_steady = draft.deck.conducts() && !draft.deck.deforms();
+  if (!(draft.loading.end > 0) && !is_steady)
     draft.impossible.push_back({draft.deck.steps.back().place, "STEP", "the steps take no time"});
   draft.config.time.end = rounded(draft.loading.end);
   draft.comment("time.output", "the ends of the steps, and always 0 and the end; more: { count = 20 }");

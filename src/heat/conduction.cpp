@@ -35,7 +35,7 @@ double norm(std::span<const double> values) {
 
 double Balance::rest() const {
   const auto sum = [](const std::vector<double>& all) { return std::accumulate(all.begin(), all.end(), 0.0); };
-  return sum(flows) + sum(sources) + sum(given) - stored;
+  return sum(flows) + sum(sources) + sum(points) + sum(given) - stored;
 }
 
 struct Conduction::Impl {
@@ -47,6 +47,7 @@ struct Conduction::Impl {
       append(flow_patches(flow, definition.bodies[flow.body], unknown_of[flow.body], definition.absolute_zero));
     for (const Source& source : definition.sources)
       append(source_patches(source, definition.bodies[source.body], unknown_of[source.body]));
+    for (const PointFlow& flow : definition.point_flows) append(point_patches(flow, definition, unknown_of));
     for (const Interface& interface : definition.interfaces)
       append(interface_patches(interface, definition, unknown_of));
     for (std::size_t g = 0; g < definition.given.size(); ++g)
@@ -197,8 +198,15 @@ struct Conduction::Impl {
     gather_matrices(capacities);
   }
   void hold_given() {
+    const auto diagonal = [&](std::size_t u) -> double& {  // the first of its column
+      return matrix.valuePtr()[matrix.outerIndexPtr()[u]];
+    };
+    of_given = 0;
     for (std::size_t u = 0; u < given.size(); ++u)
-      if (given[u] >= 0) matrix.valuePtr()[matrix.outerIndexPtr()[u]] = 1;  // the diagonal is the first of its column
+      if (given[u] < 0) of_given = std::max(of_given, diagonal(u));
+    if (!(of_given > 0)) of_given = 1;
+    for (std::size_t u = 0; u < given.size(); ++u)
+      if (given[u] >= 0) diagonal(u) = of_given;
   }
 
   /// The matrix of the last evaluation.
@@ -234,6 +242,8 @@ struct Conduction::Impl {
     with_factor([&] { factor.factorize(); });
   }
   void solve(std::span<double> x, KeptFactor::Accuracy accuracy) {
+    for (std::size_t u = 0; u < given.size(); ++u)
+      if (given[u] >= 0) x[u] *= of_given;
     with_factor([&] { factor.solve(x, accuracy); });
   }
 
@@ -244,8 +254,9 @@ struct Conduction::Impl {
   std::vector<std::size_t> bodies;  // that they belong to
   std::vector<int> given;           // by unknown: index of the given temperature, or -1
   Patches patches;
-  std::vector<std::size_t> groups;  // first patches: of bodies, flows, sources, interfaces
+  std::vector<std::size_t> groups;  // first patches: of bodies, flows, sources, points, interfaces
   linalg::SparseMatrix matrix;      // lower triangle
+  double of_given = 1;  // diagonal of given temperatures: of the size of the others, so that these have pivots
   std::vector<std::int32_t> positions;
   std::vector<Eigen::VectorXd> residuals;
   std::vector<Eigen::MatrixXd> matrices;
@@ -441,6 +452,7 @@ Balance Conduction::balance(double t, std::span<const double> y, std::span<const
   for (; group < all.bodies.size(); ++group) result.stored += sum_of_group(group);  // conduction adds up to zero
   for (std::size_t i = 0; i < all.flows.size(); ++i) result.flows.push_back(-sum_of_group(group++));
   for (std::size_t i = 0; i < all.sources.size(); ++i) result.sources.push_back(-sum_of_group(group++));
+  for (std::size_t i = 0; i < all.point_flows.size(); ++i) result.points.push_back(-sum_of_group(group++));
   for (const Interface& interface : all.interfaces) {
     const std::size_t first = own.groups[group++];
     double sum = 0;

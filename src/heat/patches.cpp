@@ -226,6 +226,22 @@ class Inflow final : public Patch {
   std::vector<double> sizes_;  // area or volume
 };
 
+/// Heat that flows into a node.
+class PointInflow final : public Patch {
+ public:
+  PointInflow(const PointFlow& flow, const Vector3& place) : flow_(flow), place_(place) {}
+
+  void evaluate(const Moment& at, const Eigen::VectorXd& T, const Eigen::VectorXd& /*rate*/, Eigen::VectorXd& residual,
+                Eigen::MatrixXd* matrix) const override {
+    residual.setConstant(T.size(), -flow_.value({.x = place_[0], .y = place_[1], .z = place_[2], .t = at.t}));
+    if (matrix != nullptr) matrix->setZero(T.size(), T.size());
+  }
+
+ private:
+  const PointFlow& flow_;
+  Vector3 place_;
+};
+
 /// Two faces that see each other. The nodes are those of the first, then those of the second.
 class InterfaceFaces final : public Patch {
  public:
@@ -340,6 +356,19 @@ Patches flow_patches(const SurfaceFlow& flow, const Conductor& body, const std::
     result.push_back(std::make_unique<Inflow>(flow.kind, flow.factor, flow.beyond, absolute_zero, *body.mesh, face.type,
                                               face.nodes));
     result.back()->nodes = unknowns(face.nodes, unknown_of);
+  }
+  return result;
+}
+
+Patches point_patches(const PointFlow& flow, const Definition& definition, const UnknownOf& unknown_of) {
+  std::map<int, Vector3> places;  // by unknown
+  for (const BodyNode& node : flow.nodes)
+    places.try_emplace(unknown_of[node.body][static_cast<std::size_t>(node.node)],
+                       definition.bodies[node.body].mesh->nodes[static_cast<std::size_t>(node.node)]);
+  Patches result;
+  for (const auto& [unknown, place] : places) {
+    result.push_back(std::make_unique<PointInflow>(flow, place));
+    result.back()->nodes = {unknown};
   }
   return result;
 }

@@ -49,6 +49,7 @@ Patches cell_patches(const Conductor& body, const std::vector<int>& unknown_of, 
 Patches source_patches(const Source& source, const Conductor& body, const std::vector<int>& unknown_of);
 Patches flow_patches(const SurfaceFlow& flow, const Conductor& body, const std::vector<int>& unknown_of,
                      double absolute_zero);
+Patches point_patches(const PointFlow& flow, const Definition& definition, const UnknownOf& unknown_of);
 Patches interface_patches(const Interface& interface, const Definition& definition, const UnknownOf& unknown_of);
 
 }  // namespace creepcontact::heat

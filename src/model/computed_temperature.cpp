@@ -56,6 +56,7 @@ class HeatProblem {
     all_.absolute_zero = heat_.absolute_zero.value_or(0);
     add_bodies();
     add_flows();
+    add_point_flows();
     for (const config::Contact& contact : config.contacts) add_contact(contact);
     for (const SharedNodes::Joined& both : shared.joined())
       all_.equal.push_back({{both.first.body, both.first.node}, {both.second.body, both.second.node}});
@@ -158,6 +159,15 @@ class HeatProblem {
     });
   }
 
+  void add_point_flows() {
+    for_entries(heat_.point_flows, "point_flows", [&](const config::HeatPointFlow& flow) {
+      heat::PointFlow made{{}, flow.value, fmt::format("flow into the nodes of '{}'", flow.on.name)};
+      for (const std::size_t b : bodies_on(flow.on, flow.body, -1))
+        for (const std::int64_t node : mesh::group_nodes(meshes_[b], flow.on.name)) made.nodes.push_back({b, node});
+      all_.point_flows.push_back(std::move(made));
+    });
+  }
+
   void add_contact(const config::Contact& contact) {
     using Kind = config::Conductance::Kind;
     if (contact.conductance.kind == Kind::insulated) return;
@@ -204,7 +214,7 @@ class HeatProblem {
         for (const double t : function->breakpoints(config_.time.end))
           add((*function)({.x = x[0], .y = x[1], .z = x[2], .t = t}));
       }
-    if (heat_.fluxes.empty() && heat_.sources.empty()) return range;
+    if (heat_.fluxes.empty() && heat_.sources.empty() && heat_.point_flows.empty()) return range;
     try {  // heat that is given may lead beyond them
       std::vector<double> last = start;
       problem.steady(config_.time.end, last);

@@ -277,6 +277,10 @@ struct HeatTemperature {
   Reference on, body;
   Function value;
 };
+struct HeatPointFlow {
+  Reference on, body;
+  Function value;  ///< into each node
+};
 
 /// [heat]: the temperature is computed
 struct Heat {
@@ -287,6 +291,7 @@ struct Heat {
   std::vector<HeatTemperature> temperatures;
   std::vector<HeatRadiation> radiation;
   std::vector<HeatSource> sources;
+  std::vector<HeatPointFlow> point_flows;
   std::optional<double> stefan_boltzmann, absolute_zero;
   double tolerance = 1e-4;                    ///< of temperatures, relative to their range
   double refactor_change = 0.05;              ///< as Temperature::refactor_change

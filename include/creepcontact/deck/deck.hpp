@@ -72,6 +72,7 @@ struct Material {
   std::string name;  ///< as written
   Place place;
   std::optional<Table> elastic, expansion, density, creep;
+  std::optional<Table> conductivity, specific_heat;
   std::optional<Table> plastic;
   std::string hardening = "ISOTROPIC";    ///< of *PLASTIC
   std::size_t back_stresses = 1;          ///< of HARDENING=COMBINED
@@ -79,12 +80,14 @@ struct Material {
   std::optional<Table> cyclic_hardening;  ///< yield stress over the plastic strain, next to back stresses
   std::optional<Table> potential;         ///< ratios of Hill's stress: R11, R22, R33, R12, R13, R23
   Elasticity elasticity = Elasticity::isotropic;
-  bool expands_along_axes = false;
+  bool expands_along_axes = false, conducts_along_axes = false;
   double expansion_zero = 0;
   std::string creep_law = "NORTON";
   bool creep_time_only = false;  ///< the time of the law does not run in *STATIC steps
 
-  bool has_axes() const { return elasticity != Elasticity::isotropic || expands_along_axes || potential; }
+  bool has_axes() const {
+    return elasticity != Elasticity::isotropic || expands_along_axes || conducts_along_axes || potential;
+  }
 };
 
 /// *ORIENTATION: axes of a material.
@@ -141,11 +144,19 @@ struct RawCard {
 struct Step {
   Place place;
   bool has_procedure = false;
-  bool is_creep = false;   ///< *VISCO
+  bool is_creep = false;   ///< *VISCO, and those of temperatures with displacements: materials creep
+  bool conducts = false;   ///< the temperature is computed
+  bool is_steady = false;  ///< if it conducts: STEADY STATE
+  bool deforms = true;     ///< displacements are computed
   std::string ramps = {};  ///< AMPLITUDE: RAMP, STEP or empty, the default of the procedure
   bool nonlinear_geometry = false;
   double period = 1;
   std::vector<RawCard> cards;  ///< supports, loads, temperatures, output
+
+  /// Whether the temperature changes by itself.
+  bool is_transient() const { return conducts && !is_steady; }
+  /// Whether what happens depends on how long the step takes.
+  bool takes_time() const { return is_creep || is_transient(); }
 };
 
 /// A card that leaves no trace in the model, or makes it impossible.
@@ -168,10 +179,16 @@ struct Deck {
   std::map<std::string, Orientation> orientations;
   std::map<std::string, Amplitude> amplitudes;
   std::vector<Section> sections;
-  double absolute_zero = 0;    ///< in the deck's unit of temperature
+  double absolute_zero = 0;  ///< in the deck's unit of temperature
+  std::optional<double> stefan_boltzmann;
   std::vector<RawCard> cards;  ///< before the steps: supports, contacts, ties, initial conditions, constraints
   std::vector<Step> steps;
   std::vector<Note> left_out, impossible;
+
+  /// Whether temperatures are computed.
+  bool conducts() const;
+  /// Whether displacements are.
+  bool deforms() const;
 
   std::unordered_map<std::int64_t, std::int64_t> same_as;  ///< nodes that became one with another: that one
   NumberMap<std::uint32_t> node_of_number;                 ///< index into positions

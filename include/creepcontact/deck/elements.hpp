@@ -18,10 +18,11 @@ struct ElementType {
   std::string name;  ///< as written
   mesh::CellType cell{};
   settings::Analysis analysis{};  ///< of models of such elements
-  std::string variant = {};  ///< letters after the number: R (reduced integration), H (hybrid), I (incompatible modes)
+  std::string variant = {};  ///< letters after the number: R (reduced integration), H (hybrid), I (incompatible modes),
+                             ///< T (with temperatures)
 };
 
-/// nullopt if the program has no such element: shells, beams, springs, coupled fields.
+/// nullopt if the program has no such element: shells, beams, springs, fluids.
 std::optional<ElementType> element_type(std::string_view name);
 
 /// A gasket element: its two sides, one opposite the other.

@@ -59,6 +59,13 @@ struct BodyNode {
   std::int64_t node = 0;
 };
 
+/// Heat that flows into each of some nodes, per time of the data. Nodes that share a temperature count once.
+struct PointFlow {
+  std::vector<BodyNode> nodes;
+  Function value;  ///< of x, y, z, t
+  std::string name = {};
+};
+
 /// What presses or parts the surfaces of contacts, at the nodes of contact in their order.
 struct ContactAtNodes {
   std::span<const double> pressure, gap;  ///< >= 0
@@ -82,6 +89,7 @@ struct Definition {
   std::vector<Conductor> bodies;
   std::vector<SurfaceFlow> flows;
   std::vector<Source> sources;
+  std::vector<PointFlow> point_flows;
   std::vector<GivenTemperature> given;
   std::vector<Interface> interfaces;
   std::vector<std::pair<BodyNode, BodyNode>> equal;  ///< nodes of one temperature
@@ -93,6 +101,7 @@ struct Definition {
 struct Balance {
   std::vector<double> flows;       ///< into the bodies, as Definition::flows
   std::vector<double> sources;     ///< as Definition::sources
+  std::vector<double> points;      ///< as Definition::point_flows
   std::vector<double> given;       ///< that the given temperatures need, as Definition::given
   std::vector<double> interfaces;  ///< from the first to the second body, as Definition::interfaces
   double stored = 0;               ///< in the capacities
@@ -142,8 +151,8 @@ class Conduction final : public ode::ImplicitSystem {
   double given_rate(std::size_t unknown, double t) const;
   /// What flows into the unknowns, q - K T; zero where the temperature is given.
   void inflow(double t, std::span<const double> y, const ContactAtNodes& contact, std::span<double> into);
-  /// The lower triangle of conduction times K and capacity times C at these temperatures, with ones on the diagonal
-  /// where the temperature is given. It is valid until the next call of a non-const member.
+  /// The lower triangle of conduction times K and capacity times C at these temperatures, with the largest entry
+  /// of the diagonal where the temperature is given. It is valid until the next call of a non-const member.
   const linalg::SparseMatrix& matrix(double t, std::span<const double> y, const ContactAtNodes& contact,
                                      double conduction, double capacity);
   bool has_constant_capacity() const;

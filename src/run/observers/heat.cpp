@@ -27,6 +27,7 @@ class HeatObserver final : public Observer {
       };
       take(all.flows, balance.flows, heat_->flows);
       take(all.sources, balance.sources, heat_->flows);
+      take(all.point_flows, balance.points, heat_->flows);
       take(all.given, balance.given, heat_->flows);
       take(all.interfaces, balance.interfaces, heat_->contacts);
       heat_->stored = balance.stored;

@@ -36,10 +36,8 @@ TEST(CardParameters, EveryCardThatIsReadHasAList) {
     if (rule.kind == Kind::read || rule.kind == Kind::kept) {
       EXPECT_NE(parameters_of(name), nullptr) << name;
     }
-    if (rule.kind == Kind::impossible || rule.kind == Kind::left_out) {
+    if (rule.kind == Kind::impossible || rule.kind == Kind::left_out || rule.kind == Kind::of_heat) {
       EXPECT_FALSE(rule.text.empty()) << name;
-    }
-    if (rule.kind == Kind::impossible || rule.kind == Kind::left_out) {
       EXPECT_EQ(parameters_of(name), nullptr) << name;
     }
   }
@@ -64,8 +62,8 @@ TEST(CardParameters, UnknownOnesAreRefusedForEveryCard) {
                 (letters == "ELSET"         ? "Eall"
                  : parameter.values.empty() ? "1"
                                             : parameter.values[0]);
-    const bool in_step =
-        rule.where == DeckReader::Where::step || name == "STATIC" || name == "VISCO" || name == "NO ANALYSIS";
+    const bool in_step = rule.where == DeckReader::Where::step || name == "STATIC" || name == "VISCO" ||
+                         name == "NO ANALYSIS" || name == "HEAT TRANSFER" || name.ends_with("TEMPERATURE-DISPLACEMENT");
     const std::string end = in_step || name == "STEP" ? "\n*END STEP" : name == "PART" ? "\n*END PART" : "";
     const Deck deck = deck_of("*MATERIAL, NAME=M\n*GASKET BEHAVIOR, NAME=G\n" + std::string(in_step ? "*STEP\n" : "") +
                               card + end + "\n");
@@ -112,6 +110,43 @@ TEST(CardParameters, WhatIsLeftOutHasALine) {
   EXPECT_TRUE(deck.impossible.empty()) << consequences(deck.impossible);
   EXPECT_TRUE(says(consequences(deck.left_out), {"*NSET: FREQUENCY: ", "*CONTACT CONTROLS: ", "*STATIC: STABILIZE: ",
                                                  "*CLOAD: FOLLOWER: ", "*HEADING, *NODE FILE: "}));
+}
+
+/// Cards of heat never go without a word.
+TEST(CardParameters, OfHeat) {
+  const auto refuse = [](const std::string& card, std::initializer_list<std::string_view> facts) {
+    EXPECT_TRUE(says(consequences(deck_of(card + "\n").impossible), facts)) << card;
+  };
+  refuse("*STEP\n*HEAT TRANSFER, MODAL DYNAMIC\n*END STEP", {"*HEAT TRANSFER: MODAL DYNAMIC: "});
+  refuse("*STEP\n*HEAT TRANSFER, END=SS\n*END STEP", {"*HEAT TRANSFER: END=SS", "PERIOD"});
+  refuse("*STEP\n*HEAT TRANSFER\n*END STEP\n*STEP\n*HEAT TRANSFER, TIME RESET\n*END STEP", {"TIME RESET: "});
+  refuse("*STEP\n*FILM, FORCED CONVECTION\n7, F1, 1., 2.\n*END STEP", {"*FILM: FORCED CONVECTION: "});
+  refuse("*STEP\n*FILM, FILM TIME DELAY=1.\n7, F1, 1., 2.\n*END STEP", {"*FILM: FILM TIME DELAY: "});
+  refuse("*STEP\n*RADIATE, CAVITY=C\n7, R1, 1., 2.\n*END STEP", {"*RADIATE: CAVITY: "});
+  refuse("*MATERIAL, NAME=M\n*CONDUCTIVITY, TYPE=ANISO\n1.", {"*CONDUCTIVITY: ", "ANISO", "ISO and ORTHO"});
+  refuse("*GAP CONDUCTANCE, MASS FLOW RATE\n1.", {"*GAP CONDUCTANCE: MASS FLOW RATE: "});
+  refuse("*LATENT HEAT\n1., 2., 3.\n*STEP\n*HEAT TRANSFER\n*END STEP", {"*LATENT HEAT: "});
+  const Deck cold = deck_of("*LATENT HEAT\n1., 2., 3.\n*STEP\n*STATIC\n*END STEP\n");
+  EXPECT_TRUE(cold.impossible.empty()) << consequences(cold.impossible);
+  EXPECT_TRUE(says(consequences(cold.left_out), {"*LATENT HEAT: it does not act"}));
+}
+
+/// What steps do with temperatures and displacements.
+TEST(CardParameters, ProceduresOfHeat) {
+  const auto step = [](const std::string& procedure) {
+    const Deck deck =
+        deck_of("*MATERIAL, NAME=M\n*CREEP\n1., 2., 0.\n*PHYSICAL CONSTANTS, STEFAN BOLTZMANN=3.\n*STEP\n*" +
+                procedure + "\n0.1, 4.\n*END STEP\n");
+    EXPECT_TRUE(deck.impossible.empty()) << consequences(deck.impossible);
+    EXPECT_EQ(deck.stefan_boltzmann, 3);
+    EXPECT_EQ(deck.steps.at(0).period, 4);
+    return deck.steps.at(0);
+  };
+  const Step heat = step("HEAT TRANSFER, DIRECT"), steady = step("HEAT TRANSFER, STEADY STATE");
+  EXPECT_TRUE(heat.is_transient() && heat.takes_time() && !heat.deforms && !heat.is_creep);
+  EXPECT_TRUE(steady.conducts && steady.is_steady && !steady.takes_time());
+  const Step coupled = step("UNCOUPLED TEMPERATURE-DISPLACEMENT, STEADY STATE");
+  EXPECT_TRUE(coupled.deforms && coupled.is_creep && coupled.is_steady && !coupled.is_transient());
 }
 
 TEST(CardParameters, AmplitudesAreShifted) {

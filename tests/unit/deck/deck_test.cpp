@@ -160,7 +160,7 @@ TEST(Deck, PartsAndInstances) {
 TEST(Deck, WhatIsLeftOutAndWhatIsImpossible) {
   const Deck deck = read(square +
                          "*HYPERELASTIC\n200, 0\n*ELEMENT, TYPE=S8R, ELSET=SHELL\n8, 1, 2, 3, 4, 1, 2, 3, 4\n"
-                         "*CONDUCTIVITY\n50\n*BOUNDRY\n1, 1\n*STEP\n*FREQUENCY\n10\n*END STEP\n");
+                         "*LATENT HEAT\n1, 2, 3\n*BOUNDRY\n1, 1\n*STEP\n*FREQUENCY\n10\n*END STEP\n");
   ASSERT_EQ(deck.impossible.size(), 4U);
   EXPECT_EQ(deck.impossible[0].card, "HYPERELASTIC");
   EXPECT_EQ(deck.impossible[0].place.line, 8U);
@@ -212,7 +212,10 @@ TEST(ElementTypes, NamesVariantsAndFaces) {
   EXPECT_EQ(element_type("c3d10m")->cell, mesh::CellType::tet10);
   EXPECT_EQ(element_type("CAX8RH")->variant, "RH");
   EXPECT_EQ(element_type("CPEG8")->analysis, settings::Analysis::generalized_plane_strain);
-  for (const char* name : {"C3D8T", "S8R", "B32", "C3D", "C3D27", "CPE8P", ""})
+  EXPECT_EQ(element_type("C3D20RT")->variant, "RT");
+  EXPECT_EQ(element_type("DCAX8")->analysis, settings::Analysis::axisymmetric);
+  EXPECT_EQ(element_type("DC3D20")->cell, mesh::CellType::hex20);
+  for (const char* name : {"DC3D8E", "DCC3D8", "S8R", "B32", "C3D", "C3D27", "CPE8P", ""})
     EXPECT_FALSE(element_type(name)) << name;
   EXPECT_EQ(*face(mesh::CellType::hex20, 2), (std::vector<int>{4, 7, 6, 5, 15, 14, 13, 12}));
   EXPECT_EQ(*face(mesh::CellType::tet10, 3), (std::vector<int>{1, 3, 2, 8, 9, 5}));

@@ -52,7 +52,7 @@ std::vector<double> steady(Conduction& problem, double start) {
   const std::vector<double> rate(T.size(), 0.0);
   const Balance balance = problem.balance(0, T, rate);
   double largest = 0;
-  for (const auto* flows : {&balance.flows, &balance.given, &balance.sources})
+  for (const auto* flows : {&balance.flows, &balance.given, &balance.sources, &balance.points})
     for (const double flow : *flows) largest = std::max(largest, std::abs(flow));
   EXPECT_NEAR(balance.rest(), 0, 1e-10 * largest);
   return T;
@@ -73,6 +73,24 @@ TEST(Conduction, OfASlabWithFilmsInAllElements) {
   for (const CellType type : solids) expect(box_mesh(type, {3, 2, 2}, {0.03, 0.02, 0.01}, {0, 0, 0}, 0.2), 2e-4);
   for (const CellType type : sections)
     expect(section_mesh(type, {3, 2}, {0.03, 0.02}, {0, 0}, section_of(settings::Analysis::plane_strain), 0.2), 0.02);
+}
+
+/// Heat enters at both nodes of one end, and leaves at the other.
+TEST(Conduction, OfFlowsIntoNodes) {
+  for (const double k : {1.0, 1e-12, 1e12}) {  // given temperatures have pivots like the others
+    const mesh::Mesh mesh = section_mesh(quad4, {3, 1}, {2, 1}, {0, 0}, section_of(settings::Analysis::plane_strain));
+    Definition all;
+    all.bodies = {{"strip", &mesh, {k}, {}, 0.0}};
+    all.given = {{0, mesh::group_nodes(mesh, "x0"), 20.0}};
+    PointFlow flow{{}, 3 * k};
+    for (const std::int64_t node : mesh::group_nodes(mesh, "x1"))
+      flow.nodes.insert(flow.nodes.end(), 2, {0, node});  // a node of two bodies counts once
+    all.point_flows = {flow};
+    Conduction problem(std::move(all));
+    const std::vector<double> T = steady(problem, 0);
+    EXPECT_NEAR(at_place(problem, mesh, T, {2, 1, 0}), 20 + 6 * 2, 1e-9);
+    EXPECT_NEAR(problem.balance(0, T, std::vector<double>(T.size())).points[0], 6 * k, 1e-9 * k);
+  }
 }
 
 TEST(Conduction, OfACylinder) {
