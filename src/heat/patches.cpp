@@ -45,6 +45,8 @@ struct Table {
       rows.row(q) = shapes[static_cast<std::size_t>(q)].transpose();
       reference.middleRows<3>(3 * q) = gradients[static_cast<std::size_t>(q)].transpose();
     }
+    rows_turned = rows.transpose();
+    reference_turned = reference.transpose();
   }
   static const Table& of(mesh::CellType type) {
     static std::map<mesh::CellType, Table> all;
@@ -57,6 +59,7 @@ struct Table {
   std::vector<Eigen::MatrixX3d> gradients;
   Eigen::MatrixXd rows;       ///< the shapes, one row per point
   Eigen::MatrixXd reference;  ///< the gradients, three rows per point
+  Eigen::MatrixXd rows_turned, reference_turned;
 };
 
 Eigen::Matrix3Xd coordinates(const mesh::Mesh& mesh, std::span<const std::int64_t> nodes) {
@@ -103,8 +106,9 @@ class Cell final : public Patch {
                 Eigen::MatrixXd* matrix) const override {
     const Column<most_points> at_points = table_.rows * T, rates = table_.rows * rate;
     const Column<3 * most_points> gradient = table_.reference * T;
-    Column<3 * most_points> fluxes = Column<3 * most_points>::Zero(gradient.size());
-    Column<most_points> heats = Column<most_points>::Zero(rates.size());
+    thread_local Eigen::VectorXd fluxes, heats;
+    fluxes.resize(gradient.size());
+    heats.resize(rates.size());
     for (Index q = 0; q < rates.size(); ++q) {
       const Point& point = points_[static_cast<std::size_t>(q)];
       const Vector3 here = point.to_place * gradient.segment<3>(3 * q);
@@ -112,8 +116,8 @@ class Cell final : public Patch {
           point.to_place.transpose() * (point.weight * times_conductivity(q, at_points[q], here));
       heats[q] = rates[q] == 0 ? 0 : point.weight * capacity(at_points[q]) * rates[q];
     }
-    residual.noalias() = table_.reference.transpose() * fluxes;
-    residual.noalias() += table_.rows.transpose() * heats;
+    residual.noalias() = table_.reference_turned * fluxes;
+    residual.noalias() += table_.rows_turned * heats;
     if (matrix == nullptr) return;
     matrix->setZero(T.size(), T.size());
     if (at.conduction != 0) add_conduction(at.conduction, at_points, *matrix);
@@ -151,13 +155,13 @@ class Cell final : public Patch {
       k = factor * point.weight * point.to_place.transpose() * k;
       fluxes.middleRows<3>(3 * q).noalias() = k * table_.reference.middleRows<3>(3 * q);
     }
-    matrix.noalias() += table_.reference.transpose() * fluxes;
+    matrix.noalias() += table_.reference_turned * fluxes;
   }
   void add_capacities(double factor, const Column<most_points>& T, Eigen::MatrixXd& matrix) const {
     OfNodes<most_points> weighted(T.size(), matrix.cols());
     for (Index q = 0; q < T.size(); ++q)
       weighted.row(q) = factor * points_[static_cast<std::size_t>(q)].weight * capacity(T[q]) * table_.rows.row(q);
-    matrix.noalias() += table_.rows.transpose() * weighted;
+    matrix.noalias() += table_.rows_turned * weighted;
   }
 
   const Conductor& body_;

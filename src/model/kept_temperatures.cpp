@@ -31,6 +31,7 @@ class HeatLines {
 
 std::string text_of(const std::vector<Function>& functions) {
   std::vector<std::string> texts;
+  texts.reserve(functions.size());
   for (const Function& one : functions) texts.push_back(one.text());
   return fmt::format("{}", fmt::join(texts, "; "));
 }
