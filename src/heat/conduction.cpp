@@ -19,8 +19,8 @@ namespace creepcontact::heat {
 namespace {
 
 constexpr int most_iterations = 300;
-constexpr double steady_tolerance = 1e-12;                         // of the largest flow at a node
-constexpr double least_part = 1e-4;                                // of a Newton step
+constexpr double steady_tolerance = 1e-12;                        // of the largest flow at a node
+constexpr double least_part = 1e-4;                               // of a Newton step
 constexpr double of_a_newton_step = 1e-6, of_a_correction = 0.1;  // errors of solutions
 constexpr std::int32_t not_stored = -1;
 
