@@ -20,15 +20,15 @@ struct Variable {
   double Arguments::*member;
 };
 constexpr std::array<Variable, 10> known_variables{{{"x", &Arguments::x},
-                                                   {"y", &Arguments::y},
-                                                   {"z", &Arguments::z},
-                                                   {"t", &Arguments::t},
-                                                   {"T", &Arguments::T},
-                                                   {"q", &Arguments::q},
-                                                   {"eps", &Arguments::eps},
-                                                   {"U", &Arguments::U},
-                                                   {"p", &Arguments::p},
-                                                   {"gap", &Arguments::gap}}};
+                                                    {"y", &Arguments::y},
+                                                    {"z", &Arguments::z},
+                                                    {"t", &Arguments::t},
+                                                    {"T", &Arguments::T},
+                                                    {"q", &Arguments::q},
+                                                    {"eps", &Arguments::eps},
+                                                    {"U", &Arguments::U},
+                                                    {"p", &Arguments::p},
+                                                    {"gap", &Arguments::gap}}};
 
 /// Remainder with the sign of b.
 double modulo(double a, double b) {

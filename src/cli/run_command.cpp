@@ -43,12 +43,11 @@ int run_with(const std::vector<std::string>& settings, const Command& self, cons
 
   options.processes = Processes::of_run();
   config::Config config;
-  together(*options.processes.team,
-           [&] {
-             std::vector<std::string> all = settings;
-             std::ranges::copy(overrides(line), std::back_inserter(all));
-             config = config::read(line.positional(), run::vocabulary(), all);
-           });
+  together(*options.processes.team, [&] {
+    std::vector<std::string> all = settings;
+    std::ranges::copy(overrides(line), std::back_inserter(all));
+    config = config::read(line.positional(), run::vocabulary(), all);
+  });
   config.mesh.trust_geometry = line.has(trust_option);
   ThreadChoice choice(threads);
   if (quiet && Processes::is_first()) log::set_level(log::Level::warning);

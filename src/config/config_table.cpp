@@ -18,15 +18,14 @@ const Material& Config::material(const std::string& name) const {
 
 bool Config::is_heat_alone() const {
   if (!heat) return false;
-  return heat->alone.value_or(std::ranges::all_of(materials, [](const Material& material) {
-    return !material.orthotropic && material.young_modulus.is_zero();
-  }));
+  return heat->alone.value_or(std::ranges::all_of(
+      materials, [](const Material& material) { return !material.orthotropic && material.young_modulus.is_zero(); }));
 }
 
 bool Config::has_coupled_heat() const {
   return heat && !is_heat_alone() && std::ranges::any_of(contacts, [](const Contact& contact) {
-    return contact.conductance.value.depends_on_contact();
-  });
+           return contact.conductance.value.depends_on_contact();
+         });
 }
 
 Value<Config> config_table(const Vocabulary& vocabulary) {

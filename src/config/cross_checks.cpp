@@ -144,7 +144,8 @@ void check_heat(const Config& config, const Item& root, Diagnostics& errors) {
   if (config.temperature)
     errors.add(heat.location, "next to [temperature]", "one of the two: the temperature is given or computed");
   const Item table = root.child("heat");
-  const bool is_steady = config.time.end == 0 || (!heat.start && !heat_changes_in_time(config) && !config.has_coupled_heat());
+  const bool is_steady =
+      config.time.end == 0 || (!heat.start && !heat_changes_in_time(config) && !config.has_coupled_heat());
   if (config.time.end == 0 && heat.start)
     errors.add(table.child("start").location, "would be all that is computed up to time.end = 0",
                "\"steady\", or a later time.end");
@@ -219,8 +220,7 @@ void check_coupled_heat(const Config& config, const Item& root, Diagnostics& err
            "\"auto\", \"cvode_bdf\" or \"arkode_dirk\", whose iterations know the derivatives of heat");
   if (config.time.linear_solver == LinearSolver::tangent)
     refuse(time.child("linear_solver").location, "\"tangent\"", "\"krylov\"");
-  if (config.time.jump_cycles)
-    refuse(time.child("jump_cycles").location, "'jump_cycles'", "a run through all cycles");
+  if (config.time.jump_cycles) refuse(time.child("jump_cycles").location, "'jump_cycles'", "a run through all cycles");
 }
 
 /// Axes of a material without any are a mistake somewhere else.

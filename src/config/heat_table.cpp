@@ -1,6 +1,5 @@
 /// [heat], and how contacts conduct
 
-
 #include "table.hpp"
 #include "tables.hpp"
 
@@ -175,8 +174,7 @@ Value<Heat> heat_table() {
                       "-273.15 if temperatures are in degrees Celsius")
           .in("temperature")
           .otherwise("required with `radiation`"),
-      field<HeatKeys>("alone", &HeatKeys::alone, boolean(),
-                      "computes the temperature alone, without any mechanics")
+      field<HeatKeys>("alone", &HeatKeys::alone, boolean(), "computes the temperature alone, without any mechanics")
           .otherwise("true if no material has elastic constants"),
       field<HeatKeys>("tolerance", &HeatKeys::tolerance, number({.min = 1e-9, .max = 0.1}),
                       "error of temperatures, relative to the range of those given"),

@@ -118,8 +118,7 @@ Value<Time> time_table(const Vocabulary& vocabulary) {
   integrator.brief = "integrator; see `creepcontact list integrators`";
   const auto keys = table<TimeKeys>({
       field<TimeKeys>("end", &TimeKeys::end, number(at_least(0)),
-                      "end of the run, which starts at t = 0; 0: only the state at the start",
-                      Presence::required)
+                      "end of the run, which starts at t = 0; 0: only the state at the start", Presence::required)
           .in("time"),
       field<TimeKeys>("integrator", &TimeKeys::integrator, integrator, "method of time integration"),
       field<TimeKeys>("tolerance", &TimeKeys::tolerance, number({.min = 0, .max = 0.5, .open_min = true}),

@@ -30,7 +30,7 @@ using MakeJson = std::function<Json()>;
 struct Context {
   std::filesystem::path directory;  ///< of the configuration file
   Diagnostics errors;
-  double end = 0;  ///< time.end, as far as it is a number: what repeats is bounded by it
+  double end = 0;              ///< time.end, as far as it is a number: what repeats is bounded by it
   bool is_heat_alone = false;  ///< elastic constants are not needed
 };
 

@@ -38,7 +38,8 @@ void Assembly::update(double t, std::vector<mechanics::BodyConditions>& conditio
                       std::span<const std::vector<double>> temperatures) const {
   conditions.resize(bodies_.size());
   together(team(), [&] {
-    for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b].update(t, conditions[b], temperatures.empty() ? std::span<const double>() : temperatures[b]);
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+      bodies_[b].update(t, conditions[b], temperatures.empty() ? std::span<const double>() : temperatures[b]);
   });
 }
 

@@ -69,8 +69,7 @@ void CreepSystem::precondition(double gamma, std::span<const double> r, std::spa
     local_[b]->solution(right, {}, result);
   });
   gaskets_->precondition(gasket_jacobians_, gasket_flexibility(), gamma, r, z);
-  if (heat_)
-    heat_->rates().precondition(gamma, laws_.layout().temperatures(r), laws_.layout().temperatures(z));
+  if (heat_) heat_->rates().precondition(gamma, laws_.layout().temperatures(r), laws_.layout().temperatures(z));
 }
 
 Eigen::VectorXd CreepSystem::gasket_flexibility() const {

@@ -348,8 +348,9 @@ void CreepSystem::accept(double t, std::span<const double> y) {
       if (!is_near(load_time(t), y, step_)) evaluate_step(t, y);
   }
   const double begin = std::max(0.0, segment_begin_);
-  path_ = LastPath(solver_.accept(step_.equilibrium, depends_on_path() ? strains(load_time(t), step_.y) : CreepStrains(views_),
-                                  history_, {tolerance_, std::isfinite(segment_end_) ? segment_end_ - begin : 0.0}));
+  path_ = LastPath(solver_.accept(step_.equilibrium,
+                                  depends_on_path() ? strains(load_time(t), step_.y) : CreepStrains(views_), history_,
+                                  {tolerance_, std::isfinite(segment_end_) ? segment_end_ - begin : 0.0}));
   rate_has_jumped_ = path_.has_substeps() && jumps(team(), step_.equilibrium, history_, tolerance_);
   const auto lap = watch_.lap(Part::material);
   scale_.follow(step_.equilibrium);

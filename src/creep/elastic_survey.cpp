@@ -53,8 +53,8 @@ bool acts(const mechanics::BodyConditions& at) {
 /// Whether temperatures of the state may load the bodies.
 bool assembly_expands(const Assembly& assembly) {
   return assembly.heat() != nullptr && std::ranges::any_of(assembly.bodies(), [](const mechanics::Body& body) {
-    return !body.material().thermal_expansion.is_zero();
-  });
+           return !body.material().thermal_expansion.is_zero();
+         });
 }
 
 class Survey {

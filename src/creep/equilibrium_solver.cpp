@@ -197,9 +197,9 @@ void EquilibriumSolver::restore(const Memory& memory, History& history) {
   if (stiffness_changes_) {
     std::vector<mechanics::BodyConditions> at;
     for (std::size_t b = 0; b < work_.size(); ++b)
-      assembly_.bodies()[b].update(state.factor_times.at(b), at.emplace_back(),
-                                   state.factor_temperatures.empty() ? std::span<const double>()
-                                                                     : state.factor_temperatures.at(b));
+      assembly_.bodies()[b].update(
+          state.factor_times.at(b), at.emplace_back(),
+          state.factor_temperatures.empty() ? std::span<const double>() : state.factor_temperatures.at(b));
     refactorize(at);
   }
   std::erase_if(history.accepted, [&](const History::Accepted& step) { return step.factors != state.factors; });

@@ -16,7 +16,7 @@ constexpr double min_share_of_elastic = 1e-3;
 constexpr double cycle_resolution = 50;
 constexpr double strain_of_unloaded_gaskets = 1e-3;  // where nothing is known of its pressures
 constexpr double share_of_range = 0.25;  // of temperatures: with a tolerance of 1e-3 errors of 1e-4 of their range
-constexpr double steady = 0.1;                       // relative changes up to here leave the scale as it is
+constexpr double steady = 0.1;           // relative changes up to here leave the scale as it is
 
 /// Young's modulus at the first point, from the process that has it.
 double young_modulus(const Team& team, const mechanics::Body& body, const mechanics::BodyConditions& at) {

@@ -79,9 +79,10 @@ std::vector<std::vector<double>> HeatCoupling::strain_change(const Equilibrium& 
       const double T = conditions.temperature[p];
       tensor::Map own = tensor::writable(strain, p);
       if (!material.thermal_expansion.is_zero()) {
-        const Vector3 slope = (material.thermal_expansion.strains(T + strain_difference, material.reference_temperature) -
-                               material.thermal_expansion.strains(T - strain_difference, material.reference_temperature)) /
-                              (2 * strain_difference) * T_change[b][p];
+        const Vector3 slope =
+            (material.thermal_expansion.strains(T + strain_difference, material.reference_temperature) -
+             material.thermal_expansion.strains(T - strain_difference, material.reference_temperature)) /
+            (2 * strain_difference) * T_change[b][p];
         if (material.thermal_expansion.has_axes) {
           const Matrix3& turned = axes[axes.size() == 1 ? 0 : p];
           own = tensor::from_matrix(turned * slope.asDiagonal() * turned.transpose());
@@ -92,7 +93,8 @@ std::vector<std::vector<double>> HeatCoupling::strain_change(const Equilibrium& 
       if (!modulus_changes) continue;
       const double modulus = material.young_modulus({.T = T}),
                    slope = (material.young_modulus({.T = T + strain_difference}) -
-                            material.young_modulus({.T = T - strain_difference})) / (2 * strain_difference);
+                            material.young_modulus({.T = T - strain_difference})) /
+                           (2 * strain_difference);
       own -= slope / modulus * T_change[b][p] * elastic.elastic_strain(p, tensor::view(at.bodies[b].stress, p));
     }
   }

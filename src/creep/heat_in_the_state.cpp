@@ -59,8 +59,7 @@ void CreepSystem::heat_products(const Evaluation& at, std::span<const double> y,
       mechanics::BodyConditions conditions;
       conditions.time = at.equilibrium.conditions[b].time;
       conditions.temperature = at.equilibrium.conditions[b].temperature;
-      for (std::size_t p = 0; p < T_change[b].size(); ++p)
-        conditions.temperature[p] += sign * factor * T_change[b][p];
+      for (std::size_t p = 0; p < T_change[b].size(); ++p) conditions.temperature[p] += sign * factor * T_change[b][p];
       LawParameters laws;
       points.update(conditions, laws);
       points.rate({laws, state.elastic, state.stress, state.state}, rate);
@@ -126,8 +125,8 @@ std::optional<double> CreepSystem::loop_gain(double t, std::span<const double> y
       views.emplace_back(std::span<const double>(of_body), std::size_t{6});
     Eigen::VectorXd gap;
     const Eigen::VectorXd multiplier = solver_.linearized(at.equilibrium, views, stress, &gap);
-    const std::vector<double> image = heat_->rates().steady_change(
-        at.time, T, joint, joint_change(assembly(), at.equilibrium, multiplier, gap));
+    const std::vector<double> image =
+        heat_->rates().steady_change(at.time, T, joint, joint_change(assembly(), at.equilibrium, multiplier, gap));
     const double before = gain;
     gain = vector(image).dot(vector(direction));
     direction = image;

@@ -20,11 +20,11 @@ namespace creepcontact::heat {
 namespace {
 
 constexpr int most_iterations = 300;
-constexpr double steady_tolerance = 1e-12;                         // of the largest flow at a node
-constexpr double least_part = 1e-4;                                // of a Newton step
-constexpr double of_a_newton_step = 1e-6, of_a_correction = 3e-2;  // errors of solutions
-constexpr int most_stalled = 4;        // iterations in which the residual has not halved
-constexpr double rounding_step = 1e-8;  // of the temperatures
+constexpr double steady_tolerance = 1e-12;                        // of the largest flow at a node
+constexpr double least_part = 1e-4;                               // of a Newton step
+constexpr double of_a_newton_step = 1e-6, of_a_correction = 0.1;  // errors of solutions
+constexpr int most_stalled = 4;                                   // iterations in which the residual has not halved
+constexpr double rounding_step = 1e-8;                            // of the temperatures
 constexpr std::int32_t not_stored = -1;
 
 double norm(std::span<const double> values) {
@@ -383,8 +383,7 @@ void Conduction::steady(double t, std::span<double> y, const ContactAtNodes& con
                   t, most_iterations));
 }
 
-void Conduction::make_consistent(double t, std::span<double> y, std::span<double> rate,
-                                 const ContactAtNodes& contact) {
+void Conduction::make_consistent(double t, std::span<double> y, std::span<double> rate, const ContactAtNodes& contact) {
   Impl& own = *impl_;
   std::ranges::fill(rate, 0.0);
   own.complete(t, y, rate);

@@ -10,7 +10,7 @@
 namespace creepcontact::heat {
 namespace {
 
-constexpr double for_steps = 0.4,
+constexpr double for_steps = 0.5,
                  for_output = 0.3;  // of the tolerance: for the root mean square, and the largest error
 
 struct Node {

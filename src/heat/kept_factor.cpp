@@ -34,7 +34,7 @@ void KeptFactor::factorize() {
 
 double KeptFactor::worth() const {
   // Operations over entries grow with the width of separators: the root of the entries in solids, about. Measured.
-  return 0.01 * std::sqrt(static_cast<double>(solver_->factor_bytes()) / sizeof(double));
+  return 0.005 * std::sqrt(static_cast<double>(solver_->factor_bytes()) / sizeof(double));
 }
 
 void KeptFactor::pass(std::span<double> x) {

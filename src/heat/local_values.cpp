@@ -65,7 +65,8 @@ std::vector<NodeOfInterface> at_contact_nodes(const Definition& definition, std:
       for (const contact::FacingFaces::Point& point : faces.points) {
         const double first = at(point.first, faces.first_nodes, T[interface.first]),
                      second = at(point.second, faces.second_nodes, T[interface.second]);
-        const double h = conductance(interface, faces, point, bodies, {.t = t, .contact = contact}, (first + second) / 2);
+        const double h =
+            conductance(interface, faces, point, bodies, {.t = t, .contact = contact}, (first + second) / 2);
         largest = std::max({largest, std::abs(first), std::abs(second)});
         for (Index i = 0; i < point.hats.size(); ++i) {
           const int node =

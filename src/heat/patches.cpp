@@ -1,8 +1,8 @@
 #include "patches.hpp"
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -14,7 +14,7 @@
 namespace creepcontact::heat {
 namespace {
 
-constexpr double perfect = 1000;      // times the conductivity over the size of an element
+constexpr double perfect = 1000;       // times the conductivity over the size of an element
 constexpr double least_weight = 1e-9;  // of the corners that are nodes of contact
 
 /// Exact for products of two shape functions on undistorted elements, with the radius of axisymmetric sections.
@@ -49,6 +49,8 @@ struct Table {
       rows.row(q) = shapes[static_cast<std::size_t>(q)].transpose();
       reference.middleRows<3>(3 * q) = gradients[static_cast<std::size_t>(q)].transpose();
     }
+    rows_turned = rows.transpose();
+    reference_turned = reference.transpose();
   }
   static const Table& of(mesh::CellType type) {
     static std::map<mesh::CellType, Table> all;
@@ -61,6 +63,7 @@ struct Table {
   std::vector<Eigen::MatrixX3d> gradients;
   Eigen::MatrixXd rows;       ///< the shapes, one row per point
   Eigen::MatrixXd reference;  ///< the gradients, three rows per point
+  Eigen::MatrixXd rows_turned, reference_turned;
 };
 
 Eigen::Matrix3Xd coordinates(const mesh::Mesh& mesh, std::span<const std::int64_t> nodes) {
@@ -107,8 +110,9 @@ class Cell final : public Patch {
                 Eigen::MatrixXd* matrix) const override {
     const Column<most_points> at_points = table_.rows * T, rates = table_.rows * rate;
     const Column<3 * most_points> gradient = table_.reference * T;
-    Column<3 * most_points> fluxes = Column<3 * most_points>::Zero(gradient.size());
-    Column<most_points> heats = Column<most_points>::Zero(rates.size());
+    thread_local Eigen::VectorXd fluxes, heats;
+    fluxes.resize(gradient.size());
+    heats.resize(rates.size());
     for (Index q = 0; q < rates.size(); ++q) {
       const Point& point = points_[static_cast<std::size_t>(q)];
       const Vector3 here = point.to_place * gradient.segment<3>(3 * q);
@@ -116,8 +120,8 @@ class Cell final : public Patch {
           point.to_place.transpose() * (point.weight * times_conductivity(q, at_points[q], here));
       heats[q] = rates[q] == 0 ? 0 : point.weight * capacity(at_points[q]) * rates[q];
     }
-    residual.noalias() = table_.reference.transpose() * fluxes;
-    residual.noalias() += table_.rows.transpose() * heats;
+    residual.noalias() = table_.reference_turned * fluxes;
+    residual.noalias() += table_.rows_turned * heats;
     if (matrix == nullptr) return;
     matrix->setZero(T.size(), T.size());
     if (at.conduction != 0) add_conduction(at.conduction, at_points, *matrix);
@@ -155,13 +159,13 @@ class Cell final : public Patch {
       k = factor * point.weight * point.to_place.transpose() * k;
       fluxes.middleRows<3>(3 * q).noalias() = k * table_.reference.middleRows<3>(3 * q);
     }
-    matrix.noalias() += table_.reference.transpose() * fluxes;
+    matrix.noalias() += table_.reference_turned * fluxes;
   }
   void add_capacities(double factor, const Column<most_points>& T, Eigen::MatrixXd& matrix) const {
     OfNodes<most_points> weighted(T.size(), matrix.cols());
     for (Index q = 0; q < T.size(); ++q)
       weighted.row(q) = factor * points_[static_cast<std::size_t>(q)].weight * capacity(T[q]) * table_.rows.row(q);
-    matrix.noalias() += table_.rows.transpose() * weighted;
+    matrix.noalias() += table_.rows_turned * weighted;
   }
 
   const Conductor& body_;
@@ -310,7 +314,8 @@ double conductance(const Interface& interface, const contact::FacingFaces& faces
   if (!at.contact.pressure.empty()) {
     double sum = 0, p = 0, gap = 0;
     for (Index i = 0; i < point.hats.size(); ++i) {
-      const int node = interface.contact_nodes[static_cast<std::size_t>(faces.first_nodes[static_cast<std::size_t>(i)])];
+      const int node =
+          interface.contact_nodes[static_cast<std::size_t>(faces.first_nodes[static_cast<std::size_t>(i)])];
       if (node < 0) continue;
       sum += point.hats[i];
       p += point.hats[i] * at.contact.pressure[static_cast<std::size_t>(node)];

@@ -10,7 +10,7 @@
 namespace creepcontact::heat {
 namespace {
 
-constexpr double rounding = 1e-14;  // of solutions with C, which must not depend on what has been factored
+constexpr double rounding = 1e-14;   // of solutions with C, which must not depend on what has been factored
 constexpr int most_gradients = 200;  // of conjugate gradients
 constexpr double difference = 1e-4;  // of the largest temperature, pressure and gap, in central differences
 constexpr double same_gamma = 1.25;
@@ -160,8 +160,8 @@ void RateForm::precondition(double gamma, std::span<const double> r, std::span<d
 std::vector<double> RateForm::steady_change(double t, std::span<const double> T, const ContactAtNodes& contact,
                                             const ContactAtNodes& contact_change) {
   double factor = std::numeric_limits<double>::infinity();
-  for (const auto& [of, change] : {std::pair(contact.pressure, contact_change.pressure),
-                                   std::pair(contact.gap, contact_change.gap)})
+  for (const auto& [of, change] :
+       {std::pair(contact.pressure, contact_change.pressure), std::pair(contact.gap, contact_change.gap)})
     if (const double most = largest(change); most > 0)
       factor = std::min(factor, difference * std::max(largest(of), difference * most) / most);
   std::vector<double> result(size(), 0.0), side(size());

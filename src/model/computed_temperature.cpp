@@ -82,7 +82,8 @@ class HeatProblem {
                                                  fmt::join(smooth_between, ", "), heat_.tolerance));
       if (const auto kept = read_kept(*heat_.keep, fingerprint, problem.size())) {
         if (end > 0) tell_of_heat(heat_, problem, kept->values.front(), end);
-        return {field(problem, *kept, false), creep::HeatModel{.definition = problem.definition(), .is_steady = end == 0}};
+        return {field(problem, *kept, false),
+                creep::HeatModel{.definition = problem.definition(), .is_steady = end == 0}};
       }
     }
     std::vector<double> start = problem.unknowns(heat_.start.value_or(guess()));
@@ -93,19 +94,19 @@ class HeatProblem {
       heat::History at_start = heat::integrate(problem, start, {});
       at_start.kinks = kinks(end);
       log::info("heat: {} temperatures are part of the state, since conductances depend on contact", problem.size());
-      return {field(problem, at_start, true),
-              creep::HeatModel{.definition = problem.definition(),
-                               .is_state = true,
-                               .start = std::move(start),
-                               .start_is_steady = !heat_.start,
-                               .range = range.high - range.low,
-                               .unknown_of = problem.unknown_of()}};
+      return {field(problem, at_start, true), creep::HeatModel{.definition = problem.definition(),
+                                                               .is_state = true,
+                                                               .start = std::move(start),
+                                                               .start_is_steady = !heat_.start,
+                                                               .range = range.high - range.low,
+                                                               .unknown_of = problem.unknown_of()}};
     }
     const double allowed = heat_.tolerance * std::max(range.high - range.low, std::numeric_limits<double>::min());
     const heat::History history = heat::integrate(problem, start, {end, smooth_between, allowed});
     tell(problem, history);
     if (heat_.keep) write_kept(*heat_.keep, fingerprint, history);
-    return {field(problem, history, false), creep::HeatModel{.definition = problem.definition(), .is_steady = end == 0}};
+    return {field(problem, history, false),
+            creep::HeatModel{.definition = problem.definition(), .is_steady = end == 0}};
   }
 
  private:
@@ -148,8 +149,8 @@ class HeatProblem {
                radiation.ambient);
     });
     for_entries(heat_.sources, "sources", [&](const config::HeatSource& source) {
-      all_.sources.push_back({body_index(config_, source.body.name), source.value,
-                              fmt::format("source in body '{}'", source.body.name)});
+      all_.sources.push_back(
+          {body_index(config_, source.body.name), source.value, fmt::format("source in body '{}'", source.body.name)});
     });
     for_entries(heat_.temperatures, "temperatures", [&](const config::HeatTemperature& given) {
       for (const std::size_t b : bodies_on(given.on, given.body, -1))

@@ -31,6 +31,7 @@ class HeatLines {
 
 std::string text_of(const std::vector<Function>& functions) {
   std::vector<std::string> texts;
+  texts.reserve(functions.size());
   for (const Function& one : functions) texts.push_back(one.text());
   return fmt::format("{}", fmt::join(texts, "; "));
 }
@@ -150,6 +151,12 @@ std::string heat_fingerprint(const heat::Definition& definition, const std::stri
   for (std::size_t i = 0; i < definition.sources.size(); ++i)
     lines.add(fmt::format("source {}", i),
               fmt::format("body {}: {}", definition.sources[i].body, definition.sources[i].value.text()));
+  for (std::size_t i = 0; i < definition.point_flows.size(); ++i) {
+    const heat::PointFlow& flow = definition.point_flows[i];
+    std::string nodes;
+    for (const heat::BodyNode& node : flow.nodes) nodes += fmt::format(" {}:{}", node.body, node.node);
+    lines.add(fmt::format("point flow {}", i), fmt::format("nodes{}: {}", nodes, flow.value.text()));
+  }
   for (std::size_t i = 0; i < definition.given.size(); ++i) {
     const heat::GivenTemperature& given = definition.given[i];
     Checksum sum;

@@ -143,7 +143,8 @@ Model build_model(const config::Config& given) {
   for (std::size_t b = 0; b < meshes.size(); ++b)
     errors.collect(config.bodies[b].location, [&] {
       bodies.emplace_back(config.bodies[b].name, meshes[b], materials.at(config.bodies[b].material.name), supports[b],
-                          temperature, links.of_body[b], is_heat_alone ? std::nullopt : material_axes(config.bodies[b]));
+                          temperature, links.of_body[b],
+                          is_heat_alone ? std::nullopt : material_axes(config.bodies[b]));
     });
   errors.raise();
   if (temperature) tell_interpolation(config, bodies, *temperature);

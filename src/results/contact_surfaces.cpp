@@ -134,7 +134,7 @@ io::FieldMesh ContactSurfaces::mesh() const {
 }
 
 std::vector<io::FieldData> ContactSurfaces::point_arrays(const creep::Equilibrium& at,
-                                                          std::span<const heat::NodeOfInterface> heat) const {
+                                                         std::span<const heat::NodeOfInterface> heat) const {
   io::FieldData displacement{"displacement", 3, {}}, traction{"contact_traction", 3, {}};
   Values all;
   for (const Surface& surface : surfaces_) {

@@ -222,11 +222,12 @@ std::vector<OutputVariable> make_variables() {
              "largest closure of a gasket so far without creep, from which it unloads");
   of_gaskets("creep_closure", "closure by creep", &ContactValues::creep_closure,
              "part of the closure of a gasket that is creep");
-  all.push_back({.name = "temperature_jump",
-                 .description = "temperature of the slave surface less that of the other one, where `[heat]` computes it",
-                 .label = "temperature jump",
-                 .support = AtMultipliers{&ContactValues::temperature_jump, AtMultipliers::In::with_heat, false},
-                 .needs_heat = true});
+  all.push_back(
+      {.name = "temperature_jump",
+       .description = "temperature of the slave surface less that of the other one, where `[heat]` computes it",
+       .label = "temperature jump",
+       .support = AtMultipliers{&ContactValues::temperature_jump, AtMultipliers::In::with_heat, false},
+       .needs_heat = true});
   all.push_back({.name = "contact_conductance",
                  .description = "heat per area, time and degree that passes a contact",
                  .label = "conductance",

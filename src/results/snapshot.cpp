@@ -106,8 +106,8 @@ const BodyFields::Nodal& BodyFields::nodal() const {
       tensor::writable(tensors, n_tensors * p + k) = tensor_at(points_[k], p);
   at_nodes.tensors.resize(6 * n_tensors * discretization.n_nodes());
   discretization.tensors_to_nodes(tensors, at_nodes.tensors);
-  at_nodes.temperature = heat_.temperature.empty() ? to_nodes(discretization, points_[number(temperature)], false)
-                                                   : heat_.temperature;
+  at_nodes.temperature =
+      heat_.temperature.empty() ? to_nodes(discretization, points_[number(temperature)], false) : heat_.temperature;
   if (!heat_.flux.empty()) {
     at_nodes.heat_flux.resize(3 * discretization.n_nodes());
     discretization.to_nodes(heat_.flux, 3, at_nodes.heat_flux);
@@ -170,8 +170,7 @@ const BodyFields& Snapshot::fields(std::size_t body) {
   BodyHeat heat;
   if (const heat::Definition* conduction = assembly().conduction()) {
     heat.temperature = computed_temperatures()[body];
-    heat.flux =
-        heat::flux(conduction->bodies[body], assembly().bodies()[body].discretization(), heat.temperature);
+    heat.flux = heat::flux(conduction->bodies[body], assembly().bodies()[body].discretization(), heat.temperature);
   }
   return fields_
       .try_emplace(body, assembly().bodies()[body], at_.equilibrium.conditions[body], at_.equilibrium.bodies[body],
@@ -188,8 +187,7 @@ const std::vector<std::vector<double>>& Snapshot::computed_temperatures() {
     }
     return temperatures_;
   }
-  for (const mechanics::Body& body : assembly().bodies())
-    temperatures_.push_back(body.temperature_at_nodes(at_.time));
+  for (const mechanics::Body& body : assembly().bodies()) temperatures_.push_back(body.temperature_at_nodes(at_.time));
   return temperatures_;
 }
 

@@ -121,7 +121,8 @@ std::unique_ptr<ode::Integrator> make_integrator(const config::Config& config, c
                                                  creep::CreepSystem& system) {
   const config::Time& time = config.time;
   // One of several processes may have nothing that creeps.
-  if (time.end == 0 || !system.team().any(system.size() > 0)) return std::make_unique<LoadPath>(system, time.output, model.breakpoints);
+  if (time.end == 0 || !system.team().any(system.size() > 0))
+    return std::make_unique<LoadPath>(system, time.output, model.breakpoints);
   ode::IntegratorOptions options = time;
   options.end_time = time.end;
   constexpr double steps_per_turn = 6;

@@ -76,7 +76,9 @@ std::string place(const io::Summary::Largest& largest) {
 /// The heat that flows at the end, its balance, and the loop gain.
 std::string heat_lines(const io::Summary::Heat& heat) {
   std::string text = "  heat at the end, per time of its data\n";
-  const auto line = [&](const std::string& name, double flow) { text += fmt::format("    {:<50}{:>14.6g}\n", name, flow); };
+  const auto line = [&](const std::string& name, double flow) {
+    text += fmt::format("    {:<50}{:>14.6g}\n", name, flow);
+  };
   for (const auto& [name, flow] : heat.flows) line(name, flow);
   for (const auto& [name, flow] : heat.contacts) line(fmt::format("across contact '{}'", name), flow);
   line("stored in the bodies", heat.stored);

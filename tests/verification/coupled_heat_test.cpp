@@ -35,13 +35,13 @@ const std::string rod_geo =
 
 /// @param gap  up to the wall @param A  of its creep
 std::string rod(const std::string& heat, double gap, const std::string& rest, double A = 0) {
-  std::string toml = "[mesh]\nfile = \"case.geo\"\norder = 2\n" + conducting("rod", 1.2e-5, 200e9, A) +
-                     conducting("wall", 0, 1e20) + "[heat]\ntime_unit = 1\n" + heat +
-                     "temperatures = [{ on = \"rod_z0\", value = 0 }, { on = \"wall_z0\", value = 300 }, "
-                     "{ on = \"wall_z1\", value = 300 }]\n" +
-                     contact_table("rod_z1", "wall_z0",
-                                   fmt::format("gap = {}\nconductance = \"200/(1 + gap/20e-6) + 5000*(p/10e6)^0.95\"",
-                                               gap));
+  std::string toml =
+      "[mesh]\nfile = \"case.geo\"\norder = 2\n" + conducting("rod", 1.2e-5, 200e9, A) + conducting("wall", 0, 1e20) +
+      "[heat]\ntime_unit = 1\n" + heat +
+      "temperatures = [{ on = \"rod_z0\", value = 0 }, { on = \"wall_z0\", value = 300 }, "
+      "{ on = \"wall_z1\", value = 300 }]\n" +
+      contact_table("rod_z1", "wall_z0",
+                    fmt::format("gap = {}\nconductance = \"200/(1 + gap/20e-6) + 5000*(p/10e6)^0.95\"", gap));
   for (const std::string name : {"rod", "wall"}) toml += support(name + "_x0", "x") + support(name + "_y0", "y");
   toml += support("rod_z0", "z") + support("wall_z0", "z") + support("wall_z1", "z");
   return toml + rest + probe("p", "contact_pressure", "on = \"rod_z1\"") + probe("gap", "gap", "on = \"rod_z1\"") +
@@ -93,7 +93,9 @@ TEST(CoupledHeat, ConvergesWithTheTolerance) {
 TEST(CoupledHeat, ResumesExactly) {
   const CaseDirectory directory(rod_geo);
   expect_same_when_resumed(
-      directory.config(rod("start = 0\n", 50e-6, "[time]\nend = 3000\noutput = [100, 1000]\nintegrator = \"arkode_dirk\"\n", 1e-51), {}),
+      directory.config(
+          rod("start = 0\n", 50e-6, "[time]\nend = 3000\noutput = [100, 1000]\nintegrator = \"arkode_dirk\"\n", 1e-51),
+          {}),
       directory.path(), {3, 17});
 }
 

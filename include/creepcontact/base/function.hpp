@@ -40,8 +40,8 @@ class Function {
   static Function expression(const std::string& text, const std::vector<std::string>& allowed);
 
   /// Table, linear between the points and constant outside.
-  /// @param variable  "t", "T", "p" or "gap"; abscissae increase. An abscissa given twice in t is a jump: the function has the
-  /// second value there, and the first one as the limit from the left.
+  /// @param variable  "t", "T", "p" or "gap"; abscissae increase. An abscissa given twice in t is a jump: the function
+  /// has the second value there, and the first one as the limit from the left.
   /// @param period  only in t: the value at t is that at t modulo the period. The points lie in [0, period], the first
   /// at 0. If the values at both ends differ, there is a jump at each period.
   /// @throws std::invalid_argument if sizes differ or are zero, or abscissae do not increase or do not fit the period

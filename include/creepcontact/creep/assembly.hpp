@@ -19,11 +19,11 @@ struct HeatModel {
   heat::Definition definition;  ///< on the meshes of the bodies
   /// The flow of heat depends on contact, and the temperature is part of the state. Only then:
   bool is_state = false;
-  bool is_steady = false;  ///< the temperature does not change in time
-  bool is_alone = false;   ///< nothing else is computed
+  bool is_steady = false;          ///< the temperature does not change in time
+  bool is_alone = false;           ///< nothing else is computed
   std::vector<double> start = {};  ///< temperatures at t = 0, or, if they are to be found, a guess
   bool start_is_steady = false;
-  double range = 0;  ///< of the temperatures that are given
+  double range = 0;                               ///< of the temperatures that are given
   std::vector<std::vector<int>> unknown_of = {};  ///< by body and node
 };
 

@@ -253,10 +253,10 @@ class EquilibriumSolver {
   contact::IterationRecorder* recorder_ = nullptr;
   StopRequest stop_;
   const bool stiffness_changes_;
-  double solver_error_ = 0;   // its bound
-  std::int64_t factors_ = 0;  // number of factorisations since the start
+  double solver_error_ = 0;                               // its bound
+  std::int64_t factors_ = 0;                              // number of factorisations since the start
   std::vector<std::vector<double>> factor_temperatures_;  // at the points, of temperatures that belong to the state
-  std::vector<Work> work_;    // scratch, no state between calls
+  std::vector<Work> work_;                                // scratch, no state between calls
   RunCounters counters_;
 };
 

@@ -34,8 +34,8 @@ struct SurfaceFlow {
   Kind kind{};
   std::size_t body = 0;
   std::vector<mesh::Face> faces;
-  Function factor;  ///< of x, y, z, t, T: h, the flux into the body, or eps sigma
-  Function beyond;  ///< of x, y, z, t: temperature of the fluid or of the surroundings
+  Function factor;        ///< of x, y, z, t, T: h, the flux into the body, or eps sigma
+  Function beyond;        ///< of x, y, z, t: temperature of the fluid or of the surroundings
   std::string name = {};  ///< for the balance
 };
 

@@ -22,8 +22,7 @@ struct NodeOfInterface {
 
 /// @param T  by body, of their nodes @param n_nodes  of contact, of all pairs
 /// @returns one per contact node; zeros where no interface is
-std::vector<NodeOfInterface> at_contact_nodes(const Definition& definition,
-                                              std::span<const std::vector<double>> T, double t,
-                                              const ContactAtNodes& contact, std::size_t n_nodes);
+std::vector<NodeOfInterface> at_contact_nodes(const Definition& definition, std::span<const std::vector<double>> T,
+                                              double t, const ContactAtNodes& contact, std::size_t n_nodes);
 
 }  // namespace creepcontact::heat

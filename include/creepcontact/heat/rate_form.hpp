@@ -10,7 +10,8 @@
 
 namespace creepcontact::heat {
 
-/// Where temperatures are given, entries of T do not count, and rates are those of the given ones. One thread at a time.
+/// Where temperatures are given, entries of T do not count, and rates are those of the given ones. One thread at a
+/// time.
 class RateForm {
  public:
   explicit RateForm(const Definition& definition);

@@ -20,7 +20,7 @@ class ImplicitSystem {
   virtual void prepare(double t, std::span<const double> y, std::span<const double> rate, double c) = 0;
   /// Another c in the matrix that was prepared. It comes often: the work of prepare() is not for each.
   virtual void shift(double c) = 0;
-  /// x = matrix^-1 x, to a few hundredths or to this root mean square
+  /// x = matrix^-1 x, to a tenth or to this root mean square
   virtual void solve(std::span<double> x, double tolerance) = 0;
 };
 

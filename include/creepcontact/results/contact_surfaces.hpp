@@ -22,7 +22,7 @@ class ContactSurfaces {
   /// Nodal arrays displacement, contact_pressure and gap; with friction in the model also contact_traction (vector, on
   /// the slave), contact_shear, slip and contact_status. The gap is NaN where the master is not opposite.
   std::vector<io::FieldData> point_arrays(const creep::Equilibrium& at,
-                                           std::span<const heat::NodeOfInterface> heat = {}) const;
+                                          std::span<const heat::NodeOfInterface> heat = {}) const;
   /// Cell array contact: the number of the pair.
   std::vector<io::FieldData> cell_arrays() const;
   /// contact_pressure and gap at the nodes of all bodies, 0 elsewhere. A node of several surfaces gets the values of

@@ -17,7 +17,7 @@ struct ContactValues {
   double shear = 0;                                            ///< magnitude of the tangential traction
   double slip = 0;                                             ///< accumulated [length]; 0 without friction
   double closure = 0, largest_closure = 0, creep_closure = 0;  ///< of a gasket; see the quantities
-  double temperature_jump = 0, conductance = 0;  ///< of heat, means over the linear function of the node
+  double temperature_jump = 0, conductance = 0;                ///< of heat, means over the linear function of the node
   double status = 0;  ///< 0: open, 1: stick, 2: slip (a closed contact without friction slips)
 };
 
@@ -26,8 +26,7 @@ struct ContactValues {
 class PairValues {
  public:
   /// @param heat  of the nodes of all pairs, or empty; must outlive the object
-  PairValues(const contact::Pair& pair, const creep::Equilibrium& at,
-             std::span<const heat::NodeOfInterface> heat = {});
+  PairValues(const contact::Pair& pair, const creep::Equilibrium& at, std::span<const heat::NodeOfInterface> heat = {});
 
   ContactValues operator[](std::size_t node) const;
   /// Distances of the surfaces at all nodes, weighted by their areas; with a gasket those from it as it is left, zero

@@ -28,8 +28,8 @@ class HeatFlows {
   heat::Conduction problem_;
 };
 
-/// The heat that leaves the bodies through a group of faces: by films, fluxes and radiation there, by given temperatures
-/// of its nodes, and across contacts.
+/// The heat that leaves the bodies through a group of faces: by films, fluxes and radiation there, by given
+/// temperatures of its nodes, and across contacts.
 class SurfaceHeat {
  public:
   /// @param body  only of this one; nullopt: of all

@@ -127,14 +127,14 @@ void read_heat(const nlohmann::json& json, Summary& summary) {
   Summary::Heat& heat = summary.heat.emplace();
   const auto read = [&](const char* key, std::vector<std::pair<std::string, double>>& into) {
     if (const auto flows = found->find(key); flows != found->end() && flows->is_object())
-      for (const auto& [name, flow] : flows->items()) into.emplace_back(name, flow.is_number() ? flow.get<double>() : 0);
+      for (const auto& [name, flow] : flows->items())
+        into.emplace_back(name, flow.is_number() ? flow.get<double>() : 0);
   };
   read("flows", heat.flows);
   read("contacts", heat.contacts);
   heat.stored = number(*found, "stored");
   heat.rest = number(*found, "rest");
-  if (const auto gain = number_if_any(*found, "loop_gain"))
-    heat.loop_gain = {*gain, number(*found, "loop_gain_time")};
+  if (const auto gain = number_if_any(*found, "loop_gain")) heat.loop_gain = {*gain, number(*found, "loop_gain_time")};
 }
 
 void read_wall_seconds(const nlohmann::json& json, Summary& summary) {

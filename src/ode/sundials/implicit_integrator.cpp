@@ -24,7 +24,7 @@ namespace {
 
 constexpr long most_steps = 1'000'000;        // of one start
 constexpr double most_growth = 4;             // of a step: where a system comes to rest
-constexpr double of_a_correction = 0.003;     // the error in it, of the tolerance
+constexpr double of_a_correction = 0.01;      // the error in it, of the tolerance
 constexpr double shift_before_prepare = 0.9;  // (a - b)/(a + b) of two coefficients c: by a factor of 19
 
 struct IdaDeleter {

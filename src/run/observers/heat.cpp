@@ -53,7 +53,7 @@ class HeatObserver final : public Observer {
     if (!largest_gain_ || *gain > largest_gain_->value) largest_gain_ = {*gain, view.time()};
   }
 
-  std::optional<io::Summary::Heat> heat_;  // in process 0
+  std::optional<io::Summary::Heat> heat_;                // in process 0
   std::optional<io::Summary::Heat::Gain> largest_gain_;  // at the output times
 };
 

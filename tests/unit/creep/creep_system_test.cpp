@@ -50,9 +50,9 @@ std::vector<std::string> with_heat(std::vector<std::string> overrides) {
   for (const char* one :
        {"heat.start=100+10*z", "heat.time_unit=1", "heat.films=[{ on = \"top\", coefficient = 0.5, fluid = 150 }]",
         "heat.temperatures=[{ on = \"bottom\", value = 80 }]", "contacts.0.conductance=0.02/(1+gap/0.01)+0.1*p+1e-4*T",
-        "materials.soft.creep.0.A=1e-5*T",
-        "materials.hard.thermal_expansion=1e-4", "materials.hard.reference_temperature=90",
-        "materials.soft.thermal_expansion=2e-4", "materials.soft.reference_temperature=90"})
+        "materials.soft.creep.0.A=1e-5*T", "materials.hard.thermal_expansion=1e-4",
+        "materials.hard.reference_temperature=90", "materials.soft.thermal_expansion=2e-4",
+        "materials.soft.reference_temperature=90"})
     overrides.emplace_back(one);
   for (const std::string material : {"soft", "hard"})
     for (const char* key : {"conductivity=0.05+1e-4*T", "heat_capacity=1+1e-3*T", "density=1"})
@@ -108,10 +108,10 @@ INSTANTIATE_TEST_SUITE_P(
                     // four nodes in the plane y = 0, which neither body leaves
                     JacobianCase{"tied", 29, {"contacts.0.type=tied"}}, JacobianCase{"quadratic", 12, {"mesh.order=2"}},
                     JacobianCase{"one_elastic_body", 12, {"materials.hard.creep=[]"}},
-                    JacobianCase{"heat", 12, with_heat({})}, JacobianCase{"heat_partly_open", -1, with_heat(partly_open)},
+                    JacobianCase{"heat", 12, with_heat({})},
+                    JacobianCase{"heat_partly_open", -1, with_heat(partly_open)},
                     // products have the stiffness of the factors, which may differ by some per cent
-                    JacobianCase{"heat_and_moduli", 12,
-                                 with_heat({"materials.soft.young_modulus=120-0.2*T"}), 1e-2},
+                    JacobianCase{"heat_and_moduli", 12, with_heat({"materials.soft.young_modulus=120-0.2*T"}), 1e-2},
                     JacobianCase{"hot", 12, {"temperature.value=100+10*z", "materials.soft.creep.0.A=1e-5*T"}}),
     [](const auto& tested) { return std::string(tested.param.name); });
 

@@ -155,7 +155,7 @@ struct Summary : RunCounters {
   std::optional<Cycles> cycles;
   std::map<std::string, Contact> contacts;  ///< unilateral contacts, by name
   std::optional<Heat> heat;
-  std::optional<double> friction_kappa;     ///< largest of start and end; above 1 several states may be possible
+  std::optional<double> friction_kappa;  ///< largest of start and end; above 1 several states may be possible
   WallSeconds wall_seconds;
   double peak_memory_mb = 0;
   Accuracy accuracy;
