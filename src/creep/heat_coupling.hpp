@@ -24,7 +24,7 @@ class HeatCoupling {
   std::vector<double> completed(double t, std::span<const double> T);
   /// Temperatures at the points of each body. @param T  of the unknowns, at time t
   std::vector<std::vector<double>> at_points(double t, std::span<const double> T);
-  /// The same of any values of the unknowns.
+  /// Values of the unknowns, interpolated to the points of each body.
   std::vector<std::vector<double>> interpolated(std::span<const double> values);
   /// The strain without stress that a change of the temperatures causes, n_points x 6 per body: thermal strain, and
   /// what the change of Young's modulus takes from the elastic strain.

@@ -20,7 +20,7 @@ struct ComputedTemperature {
 ComputedTemperature computed_temperature(const config::Config& config, const mesh::Mesh& whole,
                                          const BodyMeshes& meshes, const SharedNodes& shared, const ModelLinks& links);
 
-/// The same on the meshes of the assembly, with interfaces that know the contact nodes of their pairs.
+/// The model of heat on the meshes of the assembly, with interfaces that know the contact nodes of their pairs.
 creep::HeatModel of_assembly(creep::HeatModel heat, const config::Config& config, const creep::Assembly& assembly);
 
 }  // namespace creepcontact::model

@@ -28,7 +28,7 @@ class HeatFlowProbe final : public Probe {
   double value(Snapshot& snapshot) const override { return heat_.outwards(snapshot); }
 
  private:
-  mutable SurfaceHeat heat_;  // whose work space is no part of its value
+  mutable SurfaceHeat heat_;  // its work space does not belong to its value
 };
 
 }  // namespace

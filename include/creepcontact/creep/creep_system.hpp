@@ -181,7 +181,7 @@ class CreepSystem final : public ode::System,
   void solve(double t, std::span<const double> y, Evaluation& into);
   /// The creep strains in y, or in a change of it; valid until the next call.
   CreepStrains strains(std::span<const double> y);
-  /// The same of a state at time t, with its temperatures.
+  /// Creep strains and temperatures of a state at time t.
   CreepStrains strains(double t, std::span<const double> y);
   /// What the gaskets are preconditioned with: F + compliance per row.
   Eigen::VectorXd gasket_flexibility() const;

@@ -120,7 +120,7 @@ class Conduction final : public ode::ImplicitSystem {
 
   const Definition& definition() const;
   std::size_t size() const override;
-  /// By body and node.
+  /// Numbers of the unknowns, by body and node.
   const std::vector<std::vector<int>>& unknown_of() const;
   /// Unknowns of these temperatures at all nodes.
   std::vector<double> unknowns(const Function& temperature) const;
