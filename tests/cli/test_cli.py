@@ -141,7 +141,7 @@ class List(CliTest):
     def test_keys(self):
         done = call("list", "keys")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertRegex(done.stdout, r"(?m)^\[time\]  time integration; required\n  end  +number > 0 \[time\]; required$")
+        self.assertRegex(done.stdout, r"(?m)^\[time\]  time integration; required\n  end  +number >= 0 \[time\]; required$")
         self.assertRegex(call("list", "keys", "bodies.shaft.region").stdout, r"^\[bodies\.<name>\].*\n  region  ")
         self.assertEqual(call("list", "keys", "contacts[0].type", "--values").stdout, "unilateral\ntied\n")
         self.assertIn("axes[].values\n", call("list", "study-keys", "--names").stdout)

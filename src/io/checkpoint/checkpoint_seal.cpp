@@ -17,7 +17,7 @@ namespace creepcontact::io {
 namespace {
 
 constexpr std::string_view magic = "creepcontact checkpoint ";  // begins the file; the version of the format follows
-constexpr int format_version = 6;
+constexpr int format_version = 5;
 
 /// The user block: what the bytes behind it must be like. Padded with zeros.
 std::string seal(std::uint64_t n_bytes, std::uint64_t checksum) {

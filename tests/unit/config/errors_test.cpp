@@ -112,7 +112,7 @@ TEST(ConfigMistakes, OutOfRange) {
                  {"cases/block.toml:13:11: contact_solver.damping: ", "0", "(0, 1]"});
   expect_mistake(minimal + "[temperature]\nvalue = 1\nrefactor_change = 0.6\n",
                  {"cases/block.toml:14:19: temperature.refactor_change: ", "0.6", "[0, 0.5]"});
-  expect_mistake(minimal, {"--set time.end=0: time.end: ", "0", "> 0"}, {"time.end=0"});
+  expect_mistake(minimal, {"--set time.end=-1: time.end: ", "-1", ">= 0"}, {"time.end=-1"});
   for (const char* wrong : {"0.5", "-1", "'0.25*2'", "{ T = [0, 1], values = [0.3, 0.5] }"}) {
     const std::vector<std::string> lines = mistakes(
         minimal, {std::string("materials.steel.poisson_ratio=") + wrong, "materials.steel.reference_temperature=20"});
