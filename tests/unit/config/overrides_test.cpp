@@ -65,7 +65,7 @@ TEST(ConfigOverrides, Mistakes) {
   expect("time.end", {"no '='", "key.path=value"});
   expect("=1", {"valid key", "'='", "key.path=value"});
   expect("time..end=1", {"valid key", "'='"});
-  expect("time.end.x=1", {"time.end: ", "> 0"});
+  expect("time.end.x=1", {"time.end: ", ">= 0"});
 }
 
 TEST(ConfigOverrides, BrokenListIsNoWord) {
