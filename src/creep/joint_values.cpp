@@ -7,43 +7,42 @@
 namespace creepcontact::creep {
 namespace {
 
-JointValues no_contact(const Assembly& assembly) {
-  std::size_t n_nodes = 0;
-  for (const contact::Pair& pair : assembly.pairs()) n_nodes += pair.coupling.nodes.size();
-  return {std::vector<double>(n_nodes, 0.0), std::vector<double>(n_nodes, 0.0)};
+/// @param pressure, gap  (pair, node) of closed and of open nodes
+template <typename Pressure, typename Gap>
+JointValues at_all_nodes(const Assembly& assembly, const Equilibrium& at, const Pressure& pressure, const Gap& gap) {
+  JointValues result;
+  for (const contact::Pair& pair : assembly.pairs())
+    for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
+      const bool is_closed = contact::is_closed(pair, i, at.contact);
+      result.pressure.push_back(is_closed ? pressure(pair, i) : 0.0);
+      result.gap.push_back(is_closed ? 0.0 : gap(pair, i));
+    }
+  return result;
+}
+
+double pressure_at(const contact::Pair& pair, std::size_t node, const Eigen::VectorXd& multiplier) {
+  return pair.coupling.pressure(node, multiplier.segment(pair.first_row, pair.coupling.n_rows()));
+}
+double gap_at(const contact::Pair& pair, std::size_t node, const Eigen::VectorXd& weighted) {
+  return weighted[pair.first_row + pair.coupling.row(node)] / pair.coupling.area[node];
 }
 
 }  // namespace
 
 JointValues joint_values(const Assembly& assembly, const Equilibrium& at) {
-  JointValues result = no_contact(assembly);
-  for (const contact::Pair& pair : assembly.pairs()) {
-    const auto multiplier = at.contact.multiplier.segment(pair.first_row, pair.coupling.n_rows());
-    for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
-      const std::size_t node = static_cast<std::size_t>(pair.first_node) + i;
-      if (contact::is_closed(pair, i, at.contact))
-        result.pressure[node] = std::max(0.0, pair.coupling.pressure(i, multiplier));
-      else
-        result.gap[node] = std::max(0.0, at.gaps[pair.first_row + pair.coupling.row(i)] / pair.coupling.area[i]);
-    }
-  }
-  return result;
+  return at_all_nodes(
+      assembly, at,
+      [&](const contact::Pair& pair, std::size_t i) {
+        return std::max(0.0, pressure_at(pair, i, at.contact.multiplier));
+      },
+      [&](const contact::Pair& pair, std::size_t i) { return std::max(0.0, gap_at(pair, i, at.gaps)); });
 }
 
 JointValues joint_change(const Assembly& assembly, const Equilibrium& at, const Eigen::VectorXd& multiplier,
                          const Eigen::VectorXd& gap) {
-  JointValues result = no_contact(assembly);
-  for (const contact::Pair& pair : assembly.pairs()) {
-    const auto own = multiplier.segment(pair.first_row, pair.coupling.n_rows());
-    for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
-      const std::size_t node = static_cast<std::size_t>(pair.first_node) + i;
-      if (contact::is_closed(pair, i, at.contact))
-        result.pressure[node] = pair.coupling.pressure(i, own);
-      else
-        result.gap[node] = gap[pair.first_row + pair.coupling.row(i)] / pair.coupling.area[i];
-    }
-  }
-  return result;
+  return at_all_nodes(
+      assembly, at, [&](const contact::Pair& pair, std::size_t i) { return pressure_at(pair, i, multiplier); },
+      [&](const contact::Pair& pair, std::size_t i) { return gap_at(pair, i, gap); });
 }
 
 }  // namespace creepcontact::creep

@@ -33,8 +33,8 @@ class Patch {
 
 /// The conductivity of a body at a place.
 Matrix3 conductivity(const Conductor& body, double T, const Vector3& place);
-/// At a point of two faces of an interface. @param bodies  the first and the second one @param T  mean temperature
-/// there
+/// The conductance at a point of two faces of an interface. @param bodies  the first and the second one @param T  mean
+/// temperature there
 /// @throws ModelError if it is not a number, or negative
 double conductance(const Interface& interface, const contact::FacingFaces& faces,
                    const contact::FacingFaces::Point& point, const std::array<const Conductor*, 2>& bodies,

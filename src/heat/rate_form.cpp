@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
+#include "kept_factor.hpp"
 
 namespace creepcontact::heat {
 namespace {
 
 constexpr double rounding = 1e-14;   // of solutions with C, which must not depend on what has been factored
-constexpr int most_gradients = 200;  // of conjugate gradients
 constexpr double difference = 1e-4;  // of the largest temperature, pressure and gap, in central differences
 constexpr double same_gamma = 1.25;
 
@@ -37,68 +37,57 @@ std::vector<double> moved(std::span<const double> base, std::span<const double> 
   return result;
 }
 
+/// The change of what `evaluate(T, contact, into)` gives, by a central difference.
+/// @param T_change  empty: none
+template <typename Evaluate>
+void central_difference(std::span<const double> T, std::span<const double> T_change, const ContactAtNodes& contact,
+                        const ContactAtNodes& contact_change, std::span<double> change, const Evaluate& evaluate) {
+  double factor = std::numeric_limits<double>::infinity();
+  const auto bound = [&](std::span<const double> of, std::span<const double> by) {
+    const double most = largest(by);
+    if (most > 0) factor = std::min(factor, difference * std::max(largest(of), difference * most) / most);
+  };
+  bound(T, T_change);
+  bound(contact.pressure, contact_change.pressure);
+  bound(contact.gap, contact_change.gap);
+  std::ranges::fill(change, 0.0);
+  if (!std::isfinite(factor)) return;
+  std::vector<double> side(change.size());
+  for (const double sign : {1.0, -1.0}) {
+    std::vector<double> at(T.begin(), T.end());
+    for (std::size_t u = 0; u < T_change.size(); ++u) at[u] += sign * factor * T_change[u];
+    const std::vector<double> pressure = moved(contact.pressure, contact_change.pressure, sign * factor),
+                              gap = moved(contact.gap, contact_change.gap, sign * factor);
+    evaluate(at, ContactAtNodes{pressure, gap}, side);
+    for (std::size_t u = 0; u < change.size(); ++u) change[u] += sign * side[u] / (2 * factor);
+  }
+}
+
+/// @throws ModelError if the matrix is singular
+void solve(KeptFactor& factor, std::span<double> x) {
+  try {
+    factor.solve(x, {rounding, 0});
+  } catch (const linalg::SingularMatrix&) {
+    throw ModelError("heat: the heat capacity of a body is zero, or nothing holds its temperature");
+  }
+}
+
 }  // namespace
 
-class RateForm::Factor {
- public:
-  void factorize(const linalg::SparseMatrix& matrix) {
-    if (!solver_) {
-      std::vector<std::int64_t> block(static_cast<std::size_t>(matrix.rows()));
-      std::iota(block.begin(), block.end(), std::int64_t{0});
-      solver_ = linalg::default_stiffness_solver({matrix, block, {}, {}});
-    }
-    try {
-      solver_->factorize(matrix);
-    } catch (const linalg::SingularMatrix&) {
-      throw ModelError("heat: the heat capacity of a body is zero, or nothing holds its temperature");
-    }
-  }
-  void solve(std::span<double> x) const {
-    solver_->forward(x, x);
-    solver_->backward(x, x);
-  }
-
- private:
-  std::unique_ptr<linalg::StiffnessSolver> solver_;
-};
-
-RateForm::RateForm(const Definition& definition) : problem_(definition) {}
+RateForm::RateForm(const Definition& definition)
+    : problem_(definition),
+      capacity_(std::make_unique<KeptFactor>()),
+      both_(std::make_unique<KeptFactor>()),
+      steady_(std::make_unique<KeptFactor>()) {}
 RateForm::~RateForm() = default;
 
 void RateForm::solve_capacity(double t, std::span<const double> T, std::span<double> x) {
-  if (!capacity_) {
-    capacity_ = std::make_unique<Factor>();
+  if (!has_capacity_ || !problem_.has_constant_capacity()) {
     capacity_matrix_ = problem_.matrix(t, T, {}, 0, 1);
-    capacity_->factorize(capacity_matrix_);
+    capacity_->set(capacity_matrix_);
+    has_capacity_ = true;
   }
-  if (problem_.has_constant_capacity()) {
-    ++n_solves_;
-    return capacity_->solve(x);
-  }
-  // Conjugate gradients, preconditioned with the capacities of some other temperatures.
-  capacity_matrix_ = problem_.matrix(t, T, {}, 0, 1);
-  const auto matrix = capacity_matrix_.selfadjointView<Eigen::Lower>();
-  Vector residual = vector(std::span<const double>(x)), solution = Vector::Zero(residual.size());
-  const double allowed = rounding * residual.norm();
-  Vector direction;
-  double before = 0;
-  for (int iteration = 0; iteration < most_gradients && residual.norm() > allowed; ++iteration) {
-    Vector better = residual;
-    capacity_->solve({better.data(), static_cast<std::size_t>(better.size())});
-    ++n_solves_;
-    const double now = residual.dot(better);
-    if (iteration == 0)
-      direction = better;
-    else
-      direction = better + now / before * direction;
-    before = now;
-    const Vector image = matrix * direction;
-    const double step = now / direction.dot(image);
-    if (!std::isfinite(step)) break;
-    solution += step * direction;
-    residual -= step * image;
-  }
-  vector(x) = solution;
+  solve(*capacity_, x);
 }
 
 void RateForm::rate(double t, std::span<const double> T, const ContactAtNodes& contact, std::span<double> rate) {
@@ -111,70 +100,46 @@ void RateForm::rate(double t, std::span<const double> T, const ContactAtNodes& c
 void RateForm::derivative(double t, std::span<const double> T, const ContactAtNodes& contact,
                           std::span<const double> T_change, const ContactAtNodes& contact_change,
                           std::span<double> product) {
-  double factor = std::numeric_limits<double>::infinity();
-  const auto bound = [&](std::span<const double> of, std::span<const double> change) {
-    const double most = largest(change);
-    if (most > 0) factor = std::min(factor, difference * std::max(largest(of), difference * most) / most);
-  };
-  bound(T, T_change);
-  bound(contact.pressure, contact_change.pressure);
-  bound(contact.gap, contact_change.gap);
-  std::ranges::fill(product, 0.0);
-  if (!std::isfinite(factor)) return;
-  std::vector<double> side(size());
-  for (const double sign : {1.0, -1.0}) {
-    std::vector<double> at(T.begin(), T.end());
-    for (std::size_t u = 0; u < size(); ++u) at[u] += sign * factor * T_change[u];
-    const std::vector<double> pressure = moved(contact.pressure, contact_change.pressure, sign * factor),
-                              gap = moved(contact.gap, contact_change.gap, sign * factor);
-    rate(t, at, {pressure, gap}, side);
-    for (std::size_t u = 0; u < size(); ++u) product[u] += sign * side[u] / (2 * factor);
-  }
+  central_difference(T, T_change, contact, contact_change, product,
+                     [&](std::span<const double> at, const ContactAtNodes& there, std::span<double> side) {
+                       rate(t, at, there, side);
+                     });
   for (std::size_t u = 0; u < size(); ++u)
     if (problem_.is_given(u)) product[u] = 0;
 }
 
 void RateForm::prepare(double t, std::span<const double> T, const ContactAtNodes& contact) {
   prepared_capacity_ = problem_.matrix(t, T, contact, 0, 1);
-  conduction_matrix_ = problem_.matrix(t, T, contact, 1, 0);
+  prepared_conduction_ = problem_.matrix(t, T, contact, 1, 0);
   gamma_ = 0;
 }
 
 void RateForm::precondition(double gamma, std::span<const double> r, std::span<double> z) {
   const bool prepared = gamma < same_gamma * gamma_ && gamma_ < same_gamma * gamma;
   if (!prepared) {
-    linalg::SparseMatrix both = prepared_capacity_ + gamma * conduction_matrix_;
-    if (!both_) both_ = std::make_unique<Factor>();
-    both_->factorize(both);
+    both_matrix_ = prepared_capacity_ + gamma * prepared_conduction_;
+    both_->set(both_matrix_);
+    both_->factorize();
     gamma_ = gamma;
   }
   vector(z) = prepared_capacity_.selfadjointView<Eigen::Lower>() * vector(r);
   for (std::size_t u = 0; u < size(); ++u)
     if (problem_.is_given(u)) z[u] = 0;
-  both_->solve(z);
-  ++n_solves_;
+  solve(*both_, z);
   for (std::size_t u = 0; u < size(); ++u)
     if (problem_.is_given(u)) z[u] = r[u];
 }
 
 std::vector<double> RateForm::steady_change(double t, std::span<const double> T, const ContactAtNodes& contact,
                                             const ContactAtNodes& contact_change) {
-  double factor = std::numeric_limits<double>::infinity();
-  for (const auto& [of, change] :
-       {std::pair(contact.pressure, contact_change.pressure), std::pair(contact.gap, contact_change.gap)})
-    if (const double most = largest(change); most > 0)
-      factor = std::min(factor, difference * std::max(largest(of), difference * most) / most);
-  std::vector<double> result(size(), 0.0), side(size());
-  if (!std::isfinite(factor)) return result;
-  for (const double sign : {1.0, -1.0}) {
-    const std::vector<double> pressure = moved(contact.pressure, contact_change.pressure, sign * factor),
-                              gap = moved(contact.gap, contact_change.gap, sign * factor);
-    problem_.inflow(t, T, {pressure, gap}, side);
-    for (std::size_t u = 0; u < size(); ++u) result[u] += sign * side[u] / (2 * factor);
-  }
-  if (!steady_) steady_ = std::make_unique<Factor>();
-  steady_->factorize(problem_.matrix(t, T, contact, 1, 0));
-  steady_->solve(result);
+  std::vector<double> result(size());
+  central_difference(T, {}, contact, contact_change, result,
+                     [&](std::span<const double> at, const ContactAtNodes& there, std::span<double> side) {
+                       problem_.inflow(t, at, there, side);
+                     });
+  steady_matrix_ = problem_.matrix(t, T, contact, 1, 0);
+  steady_->set(steady_matrix_);
+  solve(*steady_, result);
   return result;
 }
 

@@ -323,10 +323,13 @@ creep::HeatModel of_assembly(creep::HeatModel heat, const config::Config& config
     if (found == assembly.pairs().end()) continue;  // only the heat is computed
     const contact::Pair& pair = *found;
     const mesh::Mesh &slave = bodies[pair.slave_body].mesh(), &master = bodies[pair.master_body].mesh();
-    interface.first = pair.slave_body;
-    interface.second = pair.master_body;
-    interface.faces = contact::facing_faces(slave, mesh::boundary_faces(slave, pair.slave_surface), master,
-                                            mesh::boundary_faces(master, pair.master_surface), sector(config));
+    if (interface.first != pair.slave_body || interface.second != pair.master_body ||
+        pair.slave_body == pair.master_body) {
+      interface.first = pair.slave_body;
+      interface.second = pair.master_body;
+      interface.faces = contact::facing_faces(slave, mesh::boundary_faces(slave, pair.slave_surface), master,
+                                              mesh::boundary_faces(master, pair.master_surface), sector(config));
+    }
     interface.contact_nodes.assign(slave.nodes.size(), -1);
     for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
       interface.contact_nodes[static_cast<std::size_t>(pair.coupling.nodes[i].node)] =

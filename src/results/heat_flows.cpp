@@ -100,7 +100,7 @@ SurfaceHeat::SurfaceHeat(const creep::Assembly& assembly, const std::string& gro
       interface_parts_.emplace_back(interface_parts_[k].first + 1, interface_parts_[k].second);
     for (const std::size_t part : parts) interface_parts_.emplace_back(part, is_first ? 1.0 : -1.0);
   }
-  flows_.reset(new HeatFlows(assembly, all));  // NOLINT(cppcoreguidelines-owning-memory): its constructor is private
+  flows_ = std::make_unique<HeatFlows>(assembly, all);
 }
 
 double SurfaceHeat::outwards(Snapshot& snapshot) {

@@ -14,6 +14,7 @@ STEEL = """
 [materials.steel]
 young_modulus = 1e3
 poisson_ratio = 0.3
+conductivity = 1
 """
 DAMAGE = """
 [[materials.steel.creep]]
@@ -52,14 +53,15 @@ def documented(heading, where):
 
 
 class FieldArrays(FieldTest):
-    """A punch of 1 x 1 in the middle of a block of 3 x 3 x 1, which carries the multipliers; damage and life."""
+    """A punch of 1 x 1 in the middle of a block of 3 x 3 x 1, which carries the multipliers; damage, life and heat."""
 
     def setUp(self):
         super().setUp()
         mesh = BoxMesh()
         mesh.add("block", "hex20", (3, 3, 1), lambda x, y, z: (x, y, z))
         mesh.add("punch", "hex20", (1, 1, 1), lambda x, y, z: (1 + x, 1 + y, 1 + z))
-        config = two_bodies("block", "punch", 'between = ["block_z1", "punch_z0"]\nslave = "block_z1"\nfriction = 0.1')
+        config = two_bodies("block", "punch", 'between = ["block_z1", "punch_z0"]\nslave = "block_z1"\nfriction = 0.1\nconductance = 1')
+        config += '[heat]\nstart = "steady"\ntemperatures = [{ on = "block_z0", value = 0 }, { on = "punch_z1", value = 1 }]\n'
         config += SYMMETRY.format("block")
         config += '[[supports]]\non = "punch_z1"\ndisplacement = { x = 0, y = 0, z = -0.01 }\n'
         config += "[time]\nend = 100\noutput = [1, 10]\n" + DAMAGE

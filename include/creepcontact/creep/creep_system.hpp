@@ -46,8 +46,8 @@ class CreepSystem final : public ode::System,
   /// The state at t = 0: no creep; temperatures, if they are part of the state. Steady ones are found with the contact
   /// that belongs to them. @throws SolverError without convergence
   std::vector<double> initial_state();
-  /// How strongly contact and heat act on each other, see LoopGain; nullopt without heat in the state.
-  /// Cost: some elastic solves
+  /// The part of a change of temperatures that comes back through contact, see io::Summary::Heat; nullopt without heat
+  /// in the state. Cost: some elastic solves
   std::optional<double> loop_gain(double t, std::span<const double> y);
   const Team& team() const override { return assembly().team(); }
   /// @throws RecoverableError if no equilibrium is found, or if the stress or a rate is not finite

@@ -35,7 +35,7 @@ class CreepStrains {
   std::span<const mechanics::CreepStrainView> bodies() const { return bodies_; }  ///< one per body
   /// Closures by creep, per node of the contact problem [length]; empty: none.
   std::span<const double> closures() const { return closures_; }
-  /// At the points of each body; empty: those of its field.
+  /// Temperatures at the points of each body; empty: those of its field hold.
   std::span<const std::vector<double>> temperatures() const { return temperatures_; }
 
  private:

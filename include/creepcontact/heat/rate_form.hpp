@@ -10,6 +10,8 @@
 
 namespace creepcontact::heat {
 
+class KeptFactor;
+
 /// Where temperatures are given, entries of T do not count, and rates are those of the given ones. One thread at a
 /// time.
 class RateForm {
@@ -21,7 +23,7 @@ class RateForm {
   std::size_t size() const { return problem_.size(); }
 
   /// @param rate  overwritten. Cost: a pass through the elements and a solve with C; if capacities depend on T, about
-  /// five of them with conjugate gradients
+  /// five passes with conjugate gradients
   void rate(double t, std::span<const double> T, const ContactAtNodes& contact, std::span<double> rate);
   /// The change of the rate for small changes of T and of contact, by central differences: exact where nothing is
   /// nonlinear. Cost: as two rates
@@ -39,18 +41,17 @@ class RateForm {
   /// The change of steady temperatures for a change of contact. Cost: a factorisation
   std::vector<double> steady_change(double t, std::span<const double> T, const ContactAtNodes& contact,
                                     const ContactAtNodes& contact_change);
-  long n_solves() const { return n_solves_; }
 
  private:
-  class Factor;
   /// x = C(T)^-1 x
   void solve_capacity(double t, std::span<const double> T, std::span<double> x);
 
   Conduction problem_;
-  std::unique_ptr<Factor> capacity_, both_, steady_;
-  linalg::SparseMatrix capacity_matrix_, conduction_matrix_, prepared_capacity_;
-  double gamma_ = 0;  // of both_; 0: not made
-  long n_solves_ = 0;
+  std::unique_ptr<KeptFactor> capacity_, both_, steady_;
+  linalg::SparseMatrix capacity_matrix_, both_matrix_, steady_matrix_;  // of the factors
+  linalg::SparseMatrix prepared_capacity_, prepared_conduction_;
+  bool has_capacity_ = false;  // in capacity_
+  double gamma_ = 0;           // of both_; 0: not made
 };
 
 }  // namespace creepcontact::heat

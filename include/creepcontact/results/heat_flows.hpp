@@ -14,6 +14,8 @@ class HeatFlows {
  public:
   /// @param assembly  whose temperature is computed; must outlive the object
   explicit HeatFlows(const creep::Assembly& assembly);
+  /// @param definition  that of the assembly with its flows in another division
+  HeatFlows(const creep::Assembly& assembly, const heat::Definition& definition);
 
   const heat::Definition& definition() const { return problem_.definition(); }
   /// The flows at the state of a snapshot; rates are those with which the equations hold. Cost: a factorisation, unless
@@ -21,9 +23,6 @@ class HeatFlows {
   heat::Balance at(Snapshot& snapshot);
 
  private:
-  friend class SurfaceHeat;
-  HeatFlows(const creep::Assembly& assembly, const heat::Definition& definition);
-
   const creep::Assembly& assembly_;
   heat::Conduction problem_;
 };

@@ -116,7 +116,7 @@ struct Summary : RunCounters {
   /// Heat at the end, per time of its data.
   struct Heat {
     std::vector<std::pair<std::string, double>> flows;     ///< into the bodies, by what supplies it
-    std::vector<std::pair<std::string, double>> contacts;  ///< across contacts, from the first surface to the second
+    std::vector<std::pair<std::string, double>> contacts;  ///< across contacts, from the slave to the master
     double stored = 0;                                     ///< in the bodies
     double rest = 0;                                       ///< what flows in less what is stored, zero but for errors
     struct Gain {
