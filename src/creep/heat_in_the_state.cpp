@@ -26,6 +26,14 @@ double largest_of(std::span<const double> values) {
   return result;
 }
 
+/// @param strains  n_points x 6 per body; must outlive the result
+std::vector<mechanics::CreepStrainView> views_of(const std::vector<std::vector<double>>& strains) {
+  std::vector<mechanics::CreepStrainView> result;
+  result.reserve(strains.size());
+  for (const std::vector<double>& of_body : strains) result.push_back({.data = of_body, .stride = 6});
+  return result;
+}
+
 }  // namespace
 
 void CreepSystem::heat_products(const Evaluation& at, std::span<const double> y, std::span<const double> v,
@@ -37,12 +45,10 @@ void CreepSystem::heat_products(const Evaluation& at, std::span<const double> y,
   const std::vector<std::vector<double>> T_change = heat_->interpolated(free);
   std::vector<std::vector<double>> strain = heat_->strain_change(at.equilibrium, T_change);
   laws_.layout().views(v, views_);
-  std::vector<mechanics::CreepStrainView> all;
-  for (std::size_t b = 0; b < strain.size(); ++b) {
+  for (std::size_t b = 0; b < strain.size(); ++b)
     if (!views_[b].empty())
       for (std::size_t p = 0; p < T_change[b].size(); ++p) tensor::writable(strain[b], p) += views_[b].at(p);
-    all.emplace_back(std::span<const double>(strain[b]), std::size_t{6});
-  }
+  const std::vector<mechanics::CreepStrainView> all = views_of(strain);
   gaskets_->closures(v, closures_);
   Eigen::VectorXd gap;
   const Eigen::VectorXd multiplier = solver_.linearized(at.equilibrium, {all, closures_}, stress_change_, &gap);
@@ -120,9 +126,7 @@ std::optional<double> CreepSystem::loop_gain(double t, std::span<const double> y
     vector(direction) /= length;
     const std::vector<std::vector<double>> strain =
         heat_->strain_change(at.equilibrium, heat_->interpolated(direction));
-    std::vector<mechanics::CreepStrainView> views;
-    for (const std::vector<double>& of_body : strain)
-      views.emplace_back(std::span<const double>(of_body), std::size_t{6});
+    const std::vector<mechanics::CreepStrainView> views = views_of(strain);
     Eigen::VectorXd gap;
     const Eigen::VectorXd multiplier = solver_.linearized(at.equilibrium, views, stress, &gap);
     const std::vector<double> image =

@@ -347,7 +347,7 @@ class Joiner {
   }
 
   Numbers elements_of(const RawCard& raw, std::size_t line) {
-    const Numbers elements = field(raw, line, 0).empty() ? all_elements() : resolver_.elements(field(raw, line, 0));
+    Numbers elements = field(raw, line, 0).empty() ? all_elements() : resolver_.elements(field(raw, line, 0));
     if (elements.empty()) impossible(raw, line, fmt::format("there is no element or set '{}'", field(raw, line, 0)));
     return elements;
   }
@@ -451,7 +451,7 @@ class Joiner {
     }
     const Amplitude* factors = amplitude(raw);
     for (std::size_t line = 0; line < raw.data.size(); ++line) {
-      const Numbers elements = field(raw, line, 0).empty() ? all_elements() : resolver_.elements(field(raw, line, 0));
+      Numbers elements = field(raw, line, 0).empty() ? all_elements() : resolver_.elements(field(raw, line, 0));
       if (elements.empty()) {
         impossible(raw, line, fmt::format("there is no element or set '{}'", field(raw, line, 0)));
         continue;

@@ -132,6 +132,7 @@ void make_stresses(Draft& draft) {
                              Kind{"CEEQ", "creep_strain_equivalent", false}};
   std::set<std::string> names;
   std::vector<std::string> letters;
+  letters.reserve(kinds.size());
   for (const Kind& kind : kinds) letters.emplace_back(kind.letter);
   note_other_variables(draft, "EL PRINT", letters);
   for (const Kind& kind : kinds) {

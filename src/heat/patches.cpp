@@ -293,7 +293,7 @@ Patches patches_of_cells(const Conductor& body, const std::vector<int>& unknown_
 Matrix3 conductivity(const Conductor& body, double T, const Vector3& place) {
   const std::vector<Function>& along = body.conductivity;
   if (along.size() == 1) return along.front()({.T = T}) * Matrix3::Identity();
-  const Matrix3 own = Vector3(along[0]({.T = T}), along[1]({.T = T}), along[2]({.T = T})).asDiagonal();
+  Matrix3 own = Vector3(along[0]({.T = T}), along[1]({.T = T}), along[2]({.T = T})).asDiagonal();
   if (!body.axes) return own;
   const Matrix3 axes = body.axes->at(place);
   return axes * own * axes.transpose();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <ranges>
 #include <stdexcept>
 
 #include "creepcontact/base/index.hpp"
@@ -227,9 +226,9 @@ void SupernodalPass::Impl::place_children() {
 }
 
 void SupernodalPass::Impl::list_tasks(const Tree& tree) {
-  for (Subtree& subtree : std::ranges::reverse_view(subtrees)) {  // in the order of the factor
-    tasks.push_back({&subtree, nullptr, 0});
-    work.push_back(tree.entries[branches[subtree.branch]->root]);
+  for (auto subtree = subtrees.rbegin(); subtree != subtrees.rend(); ++subtree) {  // in the order of the factor
+    tasks.push_back({&*subtree, nullptr, 0});
+    work.push_back(tree.entries[branches[subtree->branch]->root]);
   }
   // Fronts of the same depth do not need each other: panel by panel in turn.
   std::vector<Task> of_fronts;

@@ -7,7 +7,7 @@
 namespace creepcontact::material {
 
 ThetaProjection::ThetaProjection(const ParameterValues& values)
-    : ScalarStateLaw({}),
+    : ScalarStateLaw(ParameterValues()),
       theta_1_(values[theta_1].at(0), values[min_stress].at(0)({}), BelowRange::constant),
       theta_2_(values[theta_2].at(0), values[min_stress].at(0)({}), BelowRange::proportional),
       theta_3_(values[theta_3].at(0), values[min_stress].at(0)({}), BelowRange::constant),

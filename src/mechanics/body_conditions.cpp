@@ -126,7 +126,7 @@ void Body::update(double t, BodyConditions& at, std::span<const double> temperat
     else if (!impl_->temperature->depends_on_position())
       at.moduli.push_back(moduli_at(material, (*impl_->temperature)({.t = t})));
     else
-      for (const double temperature : at.temperature) at.moduli.push_back(moduli_at(material, temperature));
+      for (const double T : at.temperature) at.moduli.push_back(moduli_at(material, T));
   }
 
   if (material.orthotropy && (first || (new_temperature && material.orthotropy->depends_on_temperature())))

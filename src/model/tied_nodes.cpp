@@ -126,9 +126,12 @@ class TieRows {
       marks.resize(static_cast<std::size_t>(pairs_[at.pair].coupling.n_rows()), 0);
       marks[static_cast<std::size_t>(at.row)] = 1;
     }
-    for (const auto& [pair, marks] : dropped)
-      for (RowMatrix* matrix : {&pairs_[pair].coupling.slave_rows, &pairs_[pair].coupling.master_rows})
+    for (const auto& of_pair : dropped) {
+      const std::vector<char>& marks = of_pair.second;
+      contact::MortarCoupling& coupling = pairs_[of_pair.first].coupling;
+      for (RowMatrix* matrix : {&coupling.slave_rows, &coupling.master_rows})
         matrix->prune([&](Index row, Index, double) { return marks[static_cast<std::size_t>(row)] == 0; });
+    }
   }
 
  private:

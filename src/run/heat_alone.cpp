@@ -17,6 +17,7 @@ config::Config with_what_is_computed(config::Config config) {
   if (!config.is_heat_alone()) return config;
   const std::vector<config::Probe>& probes = config.probes;
   std::vector<char> is_known;
+  is_known.reserve(probes.size());
   for (const config::Probe& probe : probes)
     is_known.push_back(probe.expression.given() || results::quantity(probe.quantity).variable->is_of_heat ? 1 : 0);
   const auto uses_unknown = [&](const std::string& text) {

@@ -123,7 +123,7 @@ void resize(std::optional<T>& value, std::size_t size) {
   if (size == 0)
     value.reset();
   else
-    value.emplace();
+    value = T();  // emplace() takes no aggregate
 }
 template <typename Container>
 auto& element(Container& values, std::size_t i) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "../file_text.hpp"
 #include "creepcontact/base/error.hpp"
@@ -124,7 +125,7 @@ void read_accuracy(const nlohmann::json& json, Summary& summary) {
 void read_heat(const nlohmann::json& json, Summary& summary) {
   const auto found = json.find("heat");
   if (found == json.end()) return;
-  Summary::Heat& heat = summary.heat.emplace();
+  Summary::Heat heat;
   const auto read = [&](const char* key, std::vector<std::pair<std::string, double>>& into) {
     if (const auto flows = found->find(key); flows != found->end() && flows->is_object())
       for (const auto& [name, flow] : flows->items())
@@ -134,7 +135,9 @@ void read_heat(const nlohmann::json& json, Summary& summary) {
   read("contacts", heat.contacts);
   heat.stored = number(*found, "stored");
   heat.rest = number(*found, "rest");
-  if (const auto gain = number_if_any(*found, "loop_gain")) heat.loop_gain = {*gain, number(*found, "loop_gain_time")};
+  if (const auto gain = number_if_any(*found, "loop_gain"))
+    heat.loop_gain = Summary::Heat::Gain{*gain, number(*found, "loop_gain_time")};
+  summary.heat = std::move(heat);
 }
 
 void read_wall_seconds(const nlohmann::json& json, Summary& summary) {

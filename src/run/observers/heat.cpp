@@ -19,7 +19,7 @@ class HeatObserver final : public Observer {
     view.with_snapshot([&](results::Snapshot& snapshot) {
       results::HeatFlows flows(snapshot.assembly());
       const heat::Balance balance = flows.at(snapshot);
-      heat_.emplace();
+      heat_ = io::Summary::Heat();
       const heat::Definition& all = flows.definition();
       const auto take = [](const auto& named, const std::vector<double>& values,
                            std::vector<std::pair<std::string, double>>& into) {
