@@ -18,7 +18,7 @@ namespace {
 constexpr double law_difference = 0.1;  // degrees, for rates of laws in central differences
 constexpr int anderson_depth = 5, most_iterations = 200, power_iterations = 30;
 constexpr double steady_tolerance = 1e-9;  // of the range of temperatures
-constexpr double same_gain = 1e-3;
+constexpr double same_gain = 1e-3, gain_rounding = 1e-12;
 
 double largest_of(std::span<const double> values) {
   double result = 0;
@@ -129,14 +129,15 @@ std::optional<double> CreepSystem::loop_gain(double t, std::span<const double> y
     const std::vector<mechanics::CreepStrainView> views = views_of(strain);
     Eigen::VectorXd gap;
     const Eigen::VectorXd multiplier = solver_.linearized(at.equilibrium, views, stress, &gap);
-    const std::vector<double> image =
+    const std::optional<std::vector<double>> image =
         heat_->rates().steady_change(at.time, T, joint, joint_change(assembly(), at.equilibrium, multiplier, gap));
+    if (!image) return std::nullopt;
     const double before = gain;
-    gain = vector(image).dot(vector(direction));
-    direction = image;
+    gain = vector(*image).dot(vector(direction));
+    direction = *image;
     if (k > 0 && std::abs(gain - before) <= same_gain * std::abs(gain)) break;
   }
-  return gain;
+  return std::abs(gain) > gain_rounding ? gain : 0;
 }
 
 }  // namespace creepcontact::creep

@@ -429,6 +429,14 @@ const linalg::SparseMatrix& Conduction::matrix(double t, std::span<const double>
   return impl_->matrix;
 }
 
+double Conduction::flow_scale(double t, std::span<const double> y, const ContactAtNodes& contact) {
+  const linalg::SparseMatrix& K = matrix(t, y, contact, 1, 0);
+  double result = 0;
+  for (std::size_t u = 0; u < size(); ++u)
+    if (!is_given(u)) result = std::max(result, std::abs(K.valuePtr()[K.outerIndexPtr()[u]] * y[u]));
+  return result;
+}
+
 Balance Conduction::balance(double t, std::span<const double> y, std::span<const double> rate,
                             const ContactAtNodes& contact) const {
   Impl& own = *impl_;

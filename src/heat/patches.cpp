@@ -72,6 +72,14 @@ Eigen::Matrix3Xd coordinates(const mesh::Mesh& mesh, std::span<const std::int64_
   return x;
 }
 
+/// The part of a cell, or of a face, that belongs to a point of its rule.
+double size_at(const mesh::Mesh& mesh, mesh::CellType type, const Table& table, const Eigen::Matrix3Xd& x,
+               std::size_t q) {
+  const double size = mesh.is_bulk(type) ? std::abs(fem::jacobian(table.element, x, table.gradients[q]).determinant())
+                                         : fem::area_vector(table.element, x, table.gradients[q]).norm();
+  return table.rule.weights[static_cast<Index>(q)] * mesh.section.depth(x * table.shapes[q]) * size;
+}
+
 Arguments arguments(const Vector3& x, double t, double T) {
   return {.x = x[0], .y = x[1], .z = x[2], .t = t, .T = T};
 }
@@ -188,10 +196,7 @@ class Inflow final : public Patch {
     const Eigen::Matrix3Xd x = coordinates(mesh, nodes);
     for (std::size_t q = 0; q < table_.shapes.size(); ++q) {
       places_.emplace_back(x * table_.shapes[q]);
-      const double size = mesh.is_bulk(type)
-                              ? std::abs(fem::jacobian(table_.element, x, table_.gradients[q]).determinant())
-                              : fem::area_vector(table_.element, x, table_.gradients[q]).norm();
-      sizes_.push_back(table_.rule.weights[static_cast<Index>(q)] * mesh.section.depth(places_.back()) * size);
+      sizes_.push_back(size_at(mesh, type, table_, x, q));
     }
   }
 
@@ -289,6 +294,14 @@ Patches patches_of_cells(const Conductor& body, const std::vector<int>& unknown_
 }
 
 }  // namespace
+
+double size_of(const mesh::Mesh& mesh, mesh::CellType type, std::span<const std::int64_t> nodes) {
+  const Table& table = Table::of(type);
+  const Eigen::Matrix3Xd x = coordinates(mesh, nodes);
+  double sum = 0;
+  for (std::size_t q = 0; q < table.shapes.size(); ++q) sum += size_at(mesh, type, table, x, q);
+  return sum;
+}
 
 Matrix3 conductivity(const Conductor& body, double T, const Vector3& place) {
   const std::vector<Function>& along = body.conductivity;

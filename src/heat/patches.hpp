@@ -31,6 +31,8 @@ class Patch {
   std::vector<int> nodes;
 };
 
+/// The volume of a cell, or the area of a face; of sections times the thickness or the circumference.
+double size_of(const mesh::Mesh& mesh, mesh::CellType type, std::span<const std::int64_t> nodes);
 /// The conductivity of a body at a place.
 Matrix3 conductivity(const Conductor& body, double T, const Vector3& place);
 /// The conductance at a point of two faces of an interface. @param bodies  the first and the second one @param T  mean

@@ -130,8 +130,9 @@ void RateForm::precondition(double gamma, std::span<const double> r, std::span<d
     if (problem_.is_given(u)) z[u] = r[u];
 }
 
-std::vector<double> RateForm::steady_change(double t, std::span<const double> T, const ContactAtNodes& contact,
-                                            const ContactAtNodes& contact_change) {
+std::optional<std::vector<double>> RateForm::steady_change(double t, std::span<const double> T,
+                                                           const ContactAtNodes& contact,
+                                                           const ContactAtNodes& contact_change) {
   std::vector<double> result(size());
   central_difference(T, {}, contact, contact_change, result,
                      [&](std::span<const double> at, const ContactAtNodes& there, std::span<double> side) {
@@ -139,7 +140,11 @@ std::vector<double> RateForm::steady_change(double t, std::span<const double> T,
                      });
   steady_matrix_ = problem_.matrix(t, T, contact, 1, 0);
   steady_->set(steady_matrix_);
-  solve(*steady_, result);
+  try {
+    steady_->solve(result, {rounding, 0});
+  } catch (const linalg::SingularMatrix&) {
+    return std::nullopt;
+  }
   return result;
 }
 

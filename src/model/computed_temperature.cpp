@@ -63,9 +63,7 @@ class HeatProblem {
     for (std::size_t b = 0; b < meshes.size(); ++b)
       for (const mechanics::NodeLinks::Turned& link : links.of_body[b].turned)
         all_.equal.push_back({{b, link.node}, {b, link.of}});
-    if (!links.unmatched.empty())
-      throw ModelError(
-          "heat through faces of a sector whose meshes differ is not possible; mesh the second face as the first one");
+    for (const ModelLinks::UnmatchedFace& unmatched : links.unmatched) add_sector_faces(unmatched);
   }
 
   ComputedTemperature solve() {
@@ -81,35 +79,50 @@ class HeatProblem {
                                                  heat_.start ? heat_.start->text() : "steady", end,
                                                  fmt::join(smooth_between, ", "), heat_.tolerance));
       if (const auto kept = read_kept(*heat_.keep, fingerprint, problem.size())) {
-        if (end > 0) tell_of_heat(heat_, problem, kept->values.front(), end);
         return {field(problem, *kept, false),
-                creep::HeatModel{.definition = problem.definition(), .is_steady = end == 0}};
+                creep::HeatModel{.definition = problem.definition(), .is_steady = end == 0},
+                figures(problem, kept->values.front(), end)};
       }
     }
     std::vector<double> start = problem.unknowns(heat_.start.value_or(guess()));
-    if (!heat_.start) problem.steady(0, start);
-    if (end > 0) tell_of_heat(heat_, problem, start, end);
+    if (!heat_.start) {
+      problem.steady(0, start);
+      if (!is_steady && !is_coupled) {
+        const auto [low, high] = std::ranges::minmax(start);
+        log::info("heat: starts from the steady state with what acts at t = 0, {:.6g} to {:.6g}", low, high);
+      }
+    }
+    heat::Figures of_problem = figures(problem, start, end);
     const Interval range = range_of_temperatures(problem, start);
     if (is_coupled) {
       heat::History at_start = heat::integrate(problem, start, {});
       at_start.kinks = kinks(end);
       log::info("heat: {} temperatures are part of the state, since conductances depend on contact", problem.size());
-      return {field(problem, at_start, true), creep::HeatModel{.definition = problem.definition(),
-                                                               .is_state = true,
-                                                               .start = std::move(start),
-                                                               .start_is_steady = !heat_.start,
-                                                               .range = range.high - range.low,
-                                                               .unknown_of = problem.unknown_of()}};
+      return {field(problem, at_start, true),
+              creep::HeatModel{.definition = problem.definition(),
+                               .is_state = true,
+                               .start = std::move(start),
+                               .start_is_steady = !heat_.start,
+                               .range = range.high - range.low,
+                               .unknown_of = problem.unknown_of()},
+              std::move(of_problem)};
     }
     const double allowed = heat_.tolerance * std::max(range.high - range.low, std::numeric_limits<double>::min());
     const heat::History history = heat::integrate(problem, start, {end, smooth_between, allowed});
     tell(problem, history);
     if (heat_.keep) write_kept(*heat_.keep, fingerprint, history);
-    return {field(problem, history, false),
-            creep::HeatModel{.definition = problem.definition(), .is_steady = end == 0}};
+    return {field(problem, history, false), creep::HeatModel{.definition = problem.definition(), .is_steady = end == 0},
+            std::move(of_problem)};
   }
 
  private:
+  heat::Figures figures(const heat::Conduction& problem, const std::vector<double>& start, double end) const {
+    std::vector<double> of_bodies;
+    for (std::size_t b = 0; b < meshes_.size(); ++b) of_bodies.push_back(problem.at_nodes(b, start).front());
+    heat::Figures result = heat::figures(problem.definition(), of_bodies, end);
+    if (end > 0) tell_of_heat(problem.definition(), result, end, !heat_.start);
+    return result;
+  }
   int face_dimension() const { return whole_.section.dimension() - 1; }
   std::vector<std::size_t> bodies_on(const config::Reference& on, const config::Reference& body, int dimension) const {
     return model::bodies_on(config_, whole_, meshes_, on.name, body, dimension);
@@ -179,6 +192,17 @@ class HeatProblem {
     made.faces = contact::facing_faces(
         meshes_[bodies[0]], mesh::boundary_faces(meshes_[bodies[0]], contact.between[0].name), meshes_[bodies[1]],
         mesh::boundary_faces(meshes_[bodies[1]], contact.between[1].name), sector(config_));
+    all_.interfaces.push_back(std::move(made));
+  }
+
+  /// Like a contact of the body with itself in the next sector.
+  void add_sector_faces(const ModelLinks::UnmatchedFace& unmatched) {
+    const mesh::Mesh& mesh = meshes_[unmatched.body];
+    const auto faces = [&](std::size_t side) {
+      return mesh::boundary_faces(mesh, config_.cyclic[unmatched.cyclic].between[side].name);
+    };
+    heat::Interface made{sector_tie_name(config_, unmatched), unmatched.body, unmatched.body, {}, 0.0, true};
+    made.faces = contact::facing_faces(mesh, faces(1), mesh, faces(0), sector(config_));
     all_.interfaces.push_back(std::move(made));
   }
 
@@ -322,6 +346,7 @@ creep::HeatModel of_assembly(creep::HeatModel heat, const config::Config& config
     const auto found = std::ranges::find(assembly.pairs(), interface.name, &contact::Pair::name);
     if (found == assembly.pairs().end()) continue;  // only the heat is computed
     const contact::Pair& pair = *found;
+    if (pair.slave_surface.empty()) continue;  // faces of a sector
     const mesh::Mesh &slave = bodies[pair.slave_body].mesh(), &master = bodies[pair.master_body].mesh();
     if (interface.first != pair.slave_body || interface.second != pair.master_body ||
         pair.slave_body == pair.master_body) {

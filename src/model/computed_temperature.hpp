@@ -2,6 +2,7 @@
 /// [heat]: the temperature of all bodies by conduction, before anything else is known of the model.
 
 #include "creepcontact/creep/assembly.hpp"
+#include "creepcontact/heat/figures.hpp"
 #include "creepcontact/mechanics/temperature_field.hpp"
 #include "model_links.hpp"
 #include "shared_nodes.hpp"
@@ -12,6 +13,7 @@ struct ComputedTemperature {
   mechanics::TemperatureField field;
   /// If its temperature is part of the state, the field is that at the start. The meshes are those it was made with.
   creep::HeatModel heat;
+  heat::Figures figures;
 };
 
 /// Integrates the temperature over the run, or finds the steady one. Tells what it took.

@@ -144,25 +144,26 @@ std::string heat_fingerprint(const heat::Definition& definition, const std::stri
     const heat::SurfaceFlow& flow = definition.flows[i];
     Checksum sum;
     for (const mesh::Face& face : flow.faces) sum.add(face.nodes.data(), face.nodes.size());
-    lines.add(fmt::format("flow {}", i),
-              fmt::format("{} body {} faces {:016x}: {} beyond {}", static_cast<int>(flow.kind), flow.body, sum.value(),
-                          flow.factor.text(), flow.beyond.text()));
+    const std::string of = fmt::format("of the {} ({})", flow.name, i + 1);
+    lines.add("surface " + of, sum);
+    lines.add(flow.kind == heat::SurfaceFlow::Kind::flux ? "value " + of : "coefficient " + of, flow.factor.text());
+    lines.add("temperature beyond " + of, flow.beyond.text());
   }
   for (std::size_t i = 0; i < definition.sources.size(); ++i)
-    lines.add(fmt::format("source {}", i),
-              fmt::format("body {}: {}", definition.sources[i].body, definition.sources[i].value.text()));
+    lines.add(fmt::format("value of the {} ({})", definition.sources[i].name, i + 1),
+              definition.sources[i].value.text());
   for (std::size_t i = 0; i < definition.point_flows.size(); ++i) {
     const heat::PointFlow& flow = definition.point_flows[i];
     std::string nodes;
     for (const heat::BodyNode& node : flow.nodes) nodes += fmt::format(" {}:{}", node.body, node.node);
-    lines.add(fmt::format("point flow {}", i), fmt::format("nodes{}: {}", nodes, flow.value.text()));
+    lines.add(fmt::format("{} ({})", flow.name, i + 1), fmt::format("{}, nodes{}", flow.value.text(), nodes));
   }
   for (std::size_t i = 0; i < definition.given.size(); ++i) {
     const heat::GivenTemperature& given = definition.given[i];
     Checksum sum;
     sum.add(given.nodes.data(), given.nodes.size());
-    lines.add(fmt::format("given temperature {}", i),
-              fmt::format("body {} nodes {:016x}: {}", given.body, sum.value(), given.value.text()));
+    lines.add(fmt::format("nodes of the {} ({})", given.name, i + 1), sum);
+    lines.add(fmt::format("value of the {} ({})", given.name, i + 1), given.value.text());
   }
   for (const heat::Interface& interface : definition.interfaces) add_interface(interface, lines);
   Checksum equal;

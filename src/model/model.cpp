@@ -122,6 +122,7 @@ Model build_model(const config::Config& given) {
 
   std::optional<mechanics::TemperatureField> temperature;
   std::optional<creep::HeatModel> heat;
+  std::optional<heat::Figures> figures;
   if (config.temperature)
     errors.collect(config.temperature->location, [&] { temperature = temperature_field(*config.temperature, whole); });
   ModelLinks links = make_links(given, whole, meshes, errors);
@@ -131,6 +132,7 @@ Model build_model(const config::Config& given) {
       ComputedTemperature computed = computed_temperature(given, whole, meshes, shared.value(), links);
       temperature = std::move(computed.field);
       heat = std::move(computed.heat);
+      figures = std::move(computed.figures);
     });
   errors.raise();
   if (is_heat_alone) links = make_links(config, whole, meshes, errors);
@@ -197,7 +199,8 @@ Model build_model(const config::Config& given) {
               std::move(temperature),
               std::move(times),
               step_limits(functions),
-              std::move(cycles)};
+              std::move(cycles),
+              std::move(figures)};
   if (heat) heat->is_alone = is_heat_alone;
   if (heat) model.assembly.set_heat(of_assembly(std::move(*heat), config, model.assembly));
   if (model.cycles) require_cycles(config, model.assembly, *model.cycles);

@@ -237,6 +237,12 @@ std::vector<std::int64_t> constrained_otherwise(const mechanics::Body& body, std
 
 }  // namespace
 
+std::string sector_tie_name(const config::Config& config, const ModelLinks::UnmatchedFace& faces) {
+  const config::Cyclic& cyclic = config.cyclic[faces.cyclic];
+  return fmt::format("faces '{}' and '{}' of body '{}'", cyclic.between[0].name, cyclic.between[1].name,
+                     config.bodies[faces.body].name);
+}
+
 void append_sector_ties(const config::Config& config, const ModelLinks& links, const Bodies& bodies,
                         std::vector<contact::Pair>& pairs, ErrorCollector& errors) {
   for (const ModelLinks::UnmatchedFace& unmatched : links.unmatched) {
@@ -250,8 +256,7 @@ void append_sector_ties(const config::Config& config, const ModelLinks& links, c
       contact::Surface slave = surface(cyclic.between[1].name);
       slave.joining = constrained_otherwise(body, unmatched.body, pairs);
       contact::Pair pair;
-      pair.name =
-          fmt::format("faces '{}' and '{}' of body '{}'", cyclic.between[0].name, cyclic.between[1].name, body.name());
+      pair.name = sector_tie_name(config, unmatched);
       pair.slave_body = pair.master_body = unmatched.body;
       pair.coupling = contact::mortar_coupling(slave, surface(cyclic.between[0].name), contact::ContactType::tied);
       pairs.push_back(std::move(pair));

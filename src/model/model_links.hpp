@@ -30,6 +30,7 @@ ModelLinks make_links(const config::Config& config, const mesh::Mesh& whole, Bod
 
 void add_rigid_loads(const config::Config& config, const ModelLinks& links, Bodies& bodies, ErrorCollector& errors);
 
+std::string sector_tie_name(const config::Config& config, const ModelLinks::UnmatchedFace& faces);
 /// Ties unmatched faces by the mortar method: the second face is the slave.
 void append_sector_ties(const config::Config& config, const ModelLinks& links, const Bodies& bodies,
                         std::vector<contact::Pair>& pairs, ErrorCollector& errors);

@@ -57,7 +57,8 @@ PointExtreme extreme_of(const contact::Pair& pair, const std::vector<double>& va
 
 }  // namespace
 
-RangeMonitor::RangeMonitor(const config::Config& config) {
+RangeMonitor::RangeMonitor(const config::Config& config)
+    : temperature_error_(config.heat ? config.heat->tolerance : 0) {
   const std::vector<config::ConfiguredFunction> functions = config::functions(config);
   for (const Owner& owner : owners(config)) {
     for (const config::ConfiguredFunction& function : functions)
@@ -194,7 +195,8 @@ void RangeMonitor::check_temperature(const std::string& owner, const PointExtrem
   const auto found = tables_.find(owner);
   std::erase_if(found->second, [&](const Range& table) {
     const double margin = (table.of_law ? data_rounding : point_rounding) *
-                          std::max(std::abs(table.range.low), std::abs(table.range.high));
+                              std::max(std::abs(table.range.low), std::abs(table.range.high)) +
+                          temperature_error_ * (table.range.high - table.range.low);
     const bool above = hottest[0] > table.range.high + margin;
     if (!above && !(coldest[0] < table.range.low - margin)) return false;
     const PointExtreme& worst = above ? hottest : coldest;

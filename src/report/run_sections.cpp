@@ -75,6 +75,20 @@ std::vector<std::string> sentences(const RunData& run) {
         !opening.empty())
       all.push_back(fmt::format("Contact {} {}.", name, opening));
   }
+  if (summary.heat && summary.heat->loop_gain) {
+    const auto [gain, time] = *summary.heat->loop_gain;
+    all.push_back(fmt::format(
+        "Of a change of temperature at most {:.2g} comes back through pressure and conductance of the contacts (t = "
+        "{}){}.",
+        gain, with_unit(time, unit(Dimension::time, run)),
+        gain > 1 ? ": the joint is unstable there, and loses or gains its pressure at the speed of heat" : ""));
+  }
+  if (summary.heat)
+    for (const io::Summary::Heat::SuddenLoss& loss : summary.heat->sudden_losses)
+      all.push_back(fmt::format(
+          "Contact {} loses the last {} of its normal force at the speed of heat, between t = {} and t = {}: no steady "
+          "state with contact exists any more.",
+          loss.contact, with_unit(loss.force, force), number(loss.since), with_unit(loss.time, time)));
   for (const auto& [name, largest] : summary.life_fraction)
     all.push_back(fmt::format("Body {} has used {:.3g}\u00a0% of its creep life {}.", name, 100 * largest.value,
                               at_place(largest)));
@@ -105,6 +119,19 @@ std::vector<std::string> sentences(const RunData& run) {
         at ? fmt::format("Event {}: first true at t = {}.", name, with_unit(*at, time))
            : fmt::format("Event {}: did not happen up to t = {}.", name, with_unit(summary.time_reached, time)));
   return all;
+}
+
+/// What flows at the end; none of it is what nothing balances.
+void add_heat(const io::Summary::Heat& heat, const std::string& end, Html& page) {
+  Rows rows;
+  for (const auto& [name, flow] : heat.flows) rows.push_back({name, number(flow)});
+  for (const auto& [name, flow] : heat.contacts)
+    rows.push_back({fmt::format("across contact {}, from slave to master", name), number(flow)});
+  rows.push_back({"stored in the bodies", number(heat.stored)});
+  if (const double largest = heat.largest(); largest > 0)
+    rows.push_back({"missing in the sum, of the largest flow", fmt::format("{:.1e}", std::abs(heat.rest) / largest)});
+  page.table({"heat into the bodies", "per time of the heat data"}, rows,
+             fmt::format("Heat that flows at the {}", end));
 }
 
 void add_table(const io::RecordedTable& table, Html& page) {
@@ -180,6 +207,7 @@ void add_answer(const RunData& run, Html& page, const std::string& level) {
   if (!stresses.empty())
     page.table(head("body"), stresses, label("Largest von Mises stress in each body", unit(Dimension::stress, run)));
   if (!shares.empty()) page.table(head("body"), shares, "Largest von Mises stress / yield strength at its temperature");
+  if (summary.heat) add_heat(*summary.heat, end, page);
   Rows probes;
   for (const auto& [name, probe] : summary.probes)
     if (probe.course) {

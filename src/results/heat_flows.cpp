@@ -44,6 +44,11 @@ heat::Balance HeatFlows::at(Snapshot& snapshot) {
   return problem_.balance(snapshot.time(), T, rate, joint);
 }
 
+double HeatFlows::scale(Snapshot& snapshot) {
+  return problem_.flow_scale(snapshot.time(), problem_.unknowns(snapshot.computed_temperatures()),
+                             creep::joint_values(assembly_, snapshot.equilibrium()));
+}
+
 SurfaceHeat::SurfaceHeat(const creep::Assembly& assembly, const std::string& group, std::optional<std::size_t> body) {
   const std::vector<mechanics::Body>& bodies = assembly.bodies();
   std::vector<std::set<FaceNodes>> faces(bodies.size());
@@ -81,6 +86,13 @@ SurfaceHeat::SurfaceHeat(const creep::Assembly& assembly, const std::string& gro
     std::erase_if(given.nodes, [&](std::int64_t node) { return nodes[given.body].contains(node); });
     return inside;
   });
+  split(all.point_flows, point_parts_, [&](heat::PointFlow& flow) {
+    heat::PointFlow inside = flow;
+    const auto is_inside = [&](const heat::BodyNode& at) { return nodes[at.body].contains(at.node); };
+    std::erase_if(inside.nodes, [&](const heat::BodyNode& at) { return !is_inside(at); });
+    std::erase_if(flow.nodes, is_inside);
+    return inside;
+  });
   for (const bool is_first : {true, false}) {
     std::vector<std::size_t> parts;
     split(all.interfaces, parts, [&](heat::Interface& interface) {
@@ -107,6 +119,7 @@ double SurfaceHeat::outwards(Snapshot& snapshot) {
   const heat::Balance balance = flows_->at(snapshot);
   double inwards = 0;
   for (const std::size_t i : flow_parts_) inwards += balance.flows[i];
+  for (const std::size_t i : point_parts_) inwards += balance.points[i];
   for (const std::size_t i : given_parts_) inwards += balance.given[i];
   for (const auto& [i, sign] : interface_parts_) inwards -= sign * balance.interfaces[i];
   return -inwards;

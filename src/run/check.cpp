@@ -16,6 +16,7 @@
 #include "creepcontact/run/vocabulary.hpp"
 #include "gap_report.hpp"
 #include "heat_alone.hpp"
+#include "heat_lines.hpp"
 #include "memory_need.hpp"
 #include "model_record.hpp"
 #include "model_view.hpp"
@@ -81,6 +82,7 @@ void check(const config::Config& given, std::ostream& report, const CheckOptions
   if (const auto range = model::temperature_range(config, model))
     text += range->low == range->high ? fmt::format("temperature: {:.6g} everywhere\n", range->low)
                                       : fmt::format("temperature: {:.6g} to {:.6g}\n", range->low, range->high);
+  text += heat_check(config, model);
   text += fmt::format("unknowns of the time integration: {}\n", layout.size());
   if (contact_bytes > 1e6 * config.contact_solver.dense_limit_mb) contact_bytes = 0;
   const MemoryNeed need = memory_need(config, model.assembly, contact_bytes, [&](std::size_t b) {

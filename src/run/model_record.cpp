@@ -89,6 +89,19 @@ class Recorder {
     }
   }
 
+  static std::string functions_text(const std::vector<Function>& all) {
+    std::vector<std::string> texts;
+    for (const Function& one : all) texts.push_back(one.text());
+    return fmt::format("{}", fmt::join(texts, ", "));
+  }
+
+  static std::string conductance_text(const config::Conductance& conductance) {
+    using Kind = config::Conductance::Kind;
+    return conductance.kind == Kind::function    ? conductance.value.text()
+           : conductance.kind == Kind::insulated ? "insulated"
+                                                 : "perfect";
+  }
+
   io::RecordedSection material(const config::Material& given) const {
     io::RecordedSection section{"Material " + given.name, {}, {}, {}};
     section.notes.push_back(given.sources.empty()
@@ -122,6 +135,12 @@ class Recorder {
       elastic.rows.push_back(
           {"reference temperature", fmt::format("{:.6g}", given.reference_temperature.value_or(0)), degree});
     }
+    if (!given.conductivity.empty())
+      elastic.rows.push_back({given.conductivity.size() == 1 ? "conductivity" : "conductivity along axes 1, 2, 3",
+                              functions_text(given.conductivity), "unit of the heat data"});
+    if (given.heat_capacity)
+      elastic.rows.push_back({"heat capacity", given.heat_capacity->text(), "unit of the heat data"});
+    if (given.density) elastic.rows.push_back({"density", fmt::format("{:.6g}", *given.density), ""});
     section.tables.push_back(elastic);
     for (const config::CreepMechanism& mechanism : given.creep) section.tables.push_back(law(mechanism));
     if (given.rupture) section.tables.push_back(rupture(*given.rupture));
@@ -161,6 +180,48 @@ class Recorder {
     return section;
   }
 
+  /// How fast bodies follow their surfaces, and what heats them.
+  io::RecordedSection heat() const {
+    io::RecordedSection section{"Heat", {}, {}, {}};
+    const config::Heat& given = *config_.heat;
+    section.notes.push_back(fmt::format(
+        "The temperature is computed, from {}{}.",
+        given.start ? "T = " + given.start->text() : std::string("the steady state of the start"),
+        given.time_unit ? fmt::format("; one unit of t is {:g} units of time of the heat data", *given.time_unit)
+                        : ""));
+    io::RecordedTable bodies{"How long a change of temperature takes to come through the bodies",
+                             {"body", label("volume over surface", Dimension::length), label("time", Dimension::time)},
+                             {}};
+    for (std::size_t b = 0; b < model_.heat->bodies.size(); ++b)
+      if (const auto [depth, time] = model_.heat->bodies[b]; depth > 0)
+        bodies.rows.push_back({model_.bodies()[b].name(), fmt::format("{:.3g}", depth), fmt::format("{:.3g}", time)});
+    io::RecordedTable flows{"What heats and cools", {"where", "what", "temperature beyond"}, {}};
+    for (const config::HeatFilm& film : given.films)
+      flows.rows.push_back({film.on.name, "film, coefficient " + film.coefficient.text(), film.fluid.text()});
+    for (const config::HeatFlux& flux : given.fluxes)
+      flows.rows.push_back({flux.on.name, "flux " + flux.value.text(), ""});
+    for (const config::HeatRadiation& radiation : given.radiation)
+      flows.rows.push_back(
+          {radiation.on.name, "radiation, emissivity " + radiation.emissivity.text(), radiation.ambient.text()});
+    for (const config::HeatSource& source : given.sources)
+      flows.rows.push_back({"body " + source.body.name, "source " + source.value.text(), ""});
+    for (const config::HeatTemperature& held : given.temperatures)
+      flows.rows.push_back({held.on.name, "temperature given", held.value.text()});
+    for (const config::HeatPointFlow& flow : given.point_flows)
+      flows.rows.push_back({flow.on.name, "into each node " + flow.value.text(), ""});
+    io::RecordedTable films{
+        "Elements at films: above a Biot number of 1 temperatures undershoot after a jump of the fluid",
+        {"film", "largest coefficient", label("depth of an element", Dimension::length), "element Biot number"},
+        {}};
+    const heat::Definition& all = *model_.assembly.conduction();
+    for (const heat::FilmFigures& film : model_.heat->films)
+      films.rows.push_back({all.flows[film.flow].name, fmt::format("{:.4g}", film.coefficient),
+                            fmt::format("{:.3g}", film.element_size), fmt::format("{:.2g}", film.biot)});
+    for (io::RecordedTable* table : {&flows, &bodies, &films})
+      if (!table->rows.empty()) section.tables.push_back(std::move(*table));
+    return section;
+  }
+
   io::RecordedTable gaskets() const {
     io::RecordedTable table{"", {"gasket", "thickness", "pressure over closure", "unloading", "creep"}, {}};
     for (const config::Gasket& gasket : config_.gaskets) {
@@ -186,6 +247,7 @@ class Recorder {
   io::RecordedSection contacts() const {
     io::RecordedSection section{"Contacts", {}, {}, {}};
     io::RecordedTable table{"", {"contact", "slave", "master", "multipliers", "gap or preload", "friction"}, {}};
+    if (model_.heat) table.head.emplace_back("conductance");
     for (std::size_t p = 0; p < config_.contacts.size() && p < model_.pairs().size(); ++p) {
       const contact::Pair& pair = model_.pairs()[p];
       const config::Contact& given = config_.contacts[p];
@@ -196,6 +258,7 @@ class Recorder {
                             given.type == config::ContactType::tied ? "tied"
                             : pair.coupling.has_friction()          ? given.friction.text()
                                                                     : "none"});
+      if (model_.heat) table.rows.back().push_back(conductance_text(given.conductance));
     }
     if (!table.rows.empty()) section.tables.push_back(table);
     if (!config_.gaskets.empty()) section.tables.push_back(gaskets());
@@ -417,6 +480,7 @@ io::ModelRecord model_record(const config::Config& config, const model::Model& m
   if (io::RecordedSection contacts = recorder.contacts(); !contacts.tables.empty() || !contacts.notes.empty())
     record.sections.push_back(std::move(contacts));
   record.sections.push_back(recorder.loading());
+  if (model.heat) record.sections.push_back(recorder.heat());
   record.sections.push_back(recorder.time());
   return record;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "creepcontact/base/units.hpp"
+#include "heat_lines.hpp"
 
 namespace creepcontact::run {
 namespace {
@@ -75,18 +76,13 @@ std::string place(const io::Summary::Largest& largest) {
 
 /// The heat that flows at the end, its balance, and the loop gain.
 std::string heat_lines(const io::Summary::Heat& heat) {
-  std::string text = "  heat at the end, per time of its data\n";
-  const auto line = [&](const std::string& name, double flow) {
-    text += fmt::format("    {:<50}{:>14.6g}\n", name, flow);
-  };
-  for (const auto& [name, flow] : heat.flows) line(name, flow);
-  for (const auto& [name, flow] : heat.contacts) line(fmt::format("across contact '{}'", name), flow);
-  line("stored in the bodies", heat.stored);
-  if (const double largest = heat.largest(); largest > 0)
-    text += fmt::format("    balance: {:.1g} of the largest flow is missing\n", std::abs(heat.rest) / largest);
+  std::string text = "  heat at the end, per time of its data\n" + balance_lines(heat);
   if (heat.loop_gain)
     text += fmt::format("    loop gain of contact and heat: at most {:.2g}, at t = {:.6g}\n", heat.loop_gain->value,
                         heat.loop_gain->time);
+  for (const io::Summary::Heat::SuddenLoss& loss : heat.sudden_losses)
+    text += fmt::format("    contact '{}' lost its pressure at the speed of heat, between t = {:.6g} and {:.6g}\n",
+                        loss.contact, loss.since, loss.time);
   return text;
 }
 

@@ -11,8 +11,10 @@
 #include "creepcontact/base/units.hpp"
 #include "creepcontact/results/contact_values.hpp"
 #include "creepcontact/results/contact_width.hpp"
+#include "creepcontact/results/heat_flows.hpp"
 #include "creepcontact/results/outcome.hpp"
 #include "creepcontact/results/small_strain_monitor.hpp"
+#include "heat_lines.hpp"
 #include "preparation.hpp"
 
 namespace creepcontact::run {
@@ -59,7 +61,8 @@ class StartReport {
     for (const std::string& warning : strains.warnings()) text += "  warning: " + warning + "\n";
     const auto relaxation = system_.initial_relaxation(at_, config_.time.end);
     for (std::size_t b = 0; b < assembly.bodies().size(); ++b) text += body_line(b, relaxation[b]);
-    return has_yielded() ? text + flow_line(finer) : text;
+    if (has_yielded()) text += flow_line(finer);
+    return text + heat_text();
   }
 
  private:
@@ -67,17 +70,17 @@ class StartReport {
   const creep::Evaluation& solved(const model::Model& model) {
     const auto first = std::ranges::upper_bound(model.breakpoints, 0.0);
     constexpr double never = std::numeric_limits<double>::infinity();
-    const std::vector<double> no_creep(system_.size(), 0.0);
+    const std::vector<double> y = system_.initial_state();
     try {
       const auto integrator = make_integrator(config_, model, system_);
       system_.begin_segment(-never, first != model.breakpoints.end() ? *first : config_.time.end);
-      system_.evaluate_output(0, no_creep);
-      integrator->initialize(0, no_creep);
+      system_.evaluate_output(0, y);
+      integrator->initialize(0, y);
       if (system_.team().any(system_.size() > 0) && system_.singular_rate() == nullptr) {
         std::vector<double> rate(system_.size());
-        system_.rate(0, no_creep, rate);
+        system_.rate(0, y, rate);
       }
-      return system_.evaluate_output(0, no_creep);
+      return system_.evaluate_output(0, y);
     } catch (const RecoverableError& error) {
       throw SolverError(error.what());
     }
@@ -95,6 +98,22 @@ class StartReport {
       return std::nullopt;
     }
     return finer;
+  }
+
+  /// Where heat depends on contact: what flows, and how strongly they act on each other.
+  std::string heat_text() {
+    if (solver_.assembly().heat() == nullptr) return "";
+    std::string text;
+    if (solver_.assembly().heat()->start_is_steady) {
+      results::Snapshot snapshot(system_, 0, at_);
+      results::HeatFlows flows(solver_.assembly());
+      text = "  steady heat, per time of its data\n" + balance_lines(recorded(flows, snapshot));
+    }
+    const std::vector<double> y = at_.y;
+    if (const auto gain = system_.loop_gain(0, y))
+      text += fmt::format("  loop gain of contact and heat: {:.2g}{}\n", *gain,
+                          *gain > large_loop_gain ? loop_gain_warning : "");
+    return text;
   }
 
   std::vector<double> plastic_strain(std::size_t b) const {

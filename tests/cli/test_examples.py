@@ -40,7 +40,7 @@ class EveryExample(RunTest):
               "press_fit_torque": dict(around_shaft=12, around_hub=8, n_length=2, n_hub=2),
               "shrink_fit_cycles": dict(n_shaft=2, n_hub=3), "shrink_fit_section": dict(h=30, h_fit=12),
               "steam_pipe": dict(n_wall=4, n_length=4), "viscoelastic_indenter": dict(n_block=18, n_depth=10),
-              "valve_seat_cycles": dict(size=3)}
+              "valve_seat_cycles": dict(size=3), "valve_startup": dict(size=16)}
     UNTIL_RUPTURE = ("omega_pipe",)
 
     def test_ends_with_the_default_integrator_at_any_tolerance(self):

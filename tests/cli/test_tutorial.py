@@ -144,6 +144,10 @@ class DeckTutorial(Tutorial):
     page, directory_name, pictures, commands, copied = "tutorial_deck", "fit", 0, 9, True
 
 
+class HeatTutorial(Tutorial):
+    page, directory_name, pictures, commands, copied = "tutorial_heat", "hot_fit", 1, 18, True
+
+
 class Comparison(unittest.TestCase):
     """What the comparison lets pass, and what it does not."""
 

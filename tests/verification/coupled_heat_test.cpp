@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/run/check.hpp"
 #include "support/says.hpp"
 #include "verification/boxes.hpp"
 #include "verification/case.hpp"
@@ -88,6 +90,42 @@ TEST(CoupledHeat, ConvergesWithTheTolerance) {
     EXPECT_RELATIVE(p_coarse, p, 3e-3) << integrator;
     EXPECT_NEAR(T_coarse, T, 0.05) << integrator;
   }
+}
+
+/// dp/dh dh/dp with T_e = 300/(1 + k/(h L)), p = E (alpha T_e/2 - g0/L).
+TEST(CoupledHeat, CheckTellsTheLoopGainOfASteadyStart) {
+  const double p = 258.69720e6, h = 200 + 5000 * std::pow(p / 10e6, 0.95), flow = 1 + 400 / h;
+  const double gain =
+      200e9 * 1.2e-5 / 2 * 300 * 400 / (h * h) / (flow * flow) * 5000 * 0.95 * std::pow(p / 10e6, -0.05) / 10e6;
+  const CaseDirectory directory(rod_geo);
+  std::ostringstream text;
+  run::check(directory.config(rod("start = \"steady\"\n", 50e-6, "[time]\nend = 1\n"), {}), text, {.start = true});
+  const std::string all = text.str(), before = "loop gain of contact and heat: ";
+  const std::size_t at = all.find(before);
+  ASSERT_NE(at, std::string::npos) << all;
+  EXPECT_NEAR(std::stod(all.substr(at + before.size())), gain, 0.02 * gain);  // two digits are written
+  EXPECT_TRUE(says(all, {"steady heat", "given temperature of 'rod_z0'", "across contact", "balance: "}));
+  EXPECT_TRUE(says(all, {"normal force 2.587, peak pressure 2.59e+08"}));
+}
+
+/// The wall is cooled and heated: events lie where the temperatures of a finer run cross their limits.
+TEST(CoupledHeat, GoesThroughCyclesAndFindsEvents) {
+  std::string toml =
+      rod("start = 0\n", 50e-6,
+          "[time]\nend = 60000\noutput = [10000, 30000, 50000]\ncycle = 20000\ntolerance = 1e-4\n", 1e-51);
+  for (std::size_t at = 0; (at = toml.find("value = 300", at)) != std::string::npos; ++at)
+    toml.replace(at, 11,
+                 "value = { t = [0, 1000, 10000, 11000, 20000], values = [0, 300, 300, 0, 0], period = 20000 }");
+  toml += "[[events]]\nname = \"warm\"\nwhen = \"end >= 150\"\n";
+  toml += "[[events]]\nname = \"loose\"\nwhen = \"min(gap/1e-6, end/10) > 1\"\n";
+  const Outcome coarse = run_case(toml, rod_geo), fine = run_case(toml, rod_geo, {"time.tolerance=1e-6"});
+  for (const std::string event : {"warm", "loose"})
+    EXPECT_RELATIVE(coarse.summary.number("events/" + event), fine.summary.number("events/" + event), 1e-3) << event;
+  for (const double t : {10000.0, 30000.0, 50000.0}) {
+    EXPECT_GT(fine.history.at("p", t), 50e6);
+    EXPECT_RELATIVE(coarse.history.at("p", t), fine.history.at("p", t), 1e-3) << t;
+  }
+  EXPECT_GT(fine.history.at("gap", 60000), 40e-6) << "cold";
 }
 
 TEST(CoupledHeat, ResumesExactly) {

@@ -93,6 +93,26 @@ TEST(Cyclic, SectorIsAPartOfTheRing) {
     for (const double t : {0.0, 1000.0}) EXPECT_RELATIVE(mortar.at(probe, t), all.at(probe, t), 2e-3) << probe << t;
 }
 
+/// A rim that is warm in one half of each sector and cold in the other one drives heat across the cuts.
+TEST(Cyclic, HeatCrossesTheFacesOfASector) {
+  const auto temperatures = [](const std::string& cyclic, const std::string& geo) {
+    const std::string toml =
+        test::section_of("plane_strain") +
+        "[materials.steel]\nconductivity = 2\n[bodies.ring]\nregion = \"ring\"\nmaterial = \"steel\"\n" +
+        "[heat]\nstart = \"steady\"\ntemperatures = [{ on = \"bore\", value = 50 }]\n"
+        "films = [{ on = \"rim\", coefficient = 5, fluid = \"100 + 80*sin(6*atan2(y, x))\" }]\n[time]\nend = 0\n" +
+        test::probe("corner", "temperature",
+                    fmt::format("at = [{:.15g}, {:.15g}, 0]", outer * std::cos(0.4), outer * std::sin(0.4)));
+    return test::run_case(toml + cyclic, geo);
+  };
+  const double all = temperatures("", ring_geo(n_sectors)).history.at("corner", 0);
+  EXPECT_RELATIVE(temperatures(sector_keys, ring_geo(1)).history.at("corner", 0), all, 1e-9);
+  const test::Outcome unmatched = temperatures(sector_keys, ring_geo(1, 9));
+  EXPECT_RELATIVE(unmatched.history.at("corner", 0), all, 2e-3);
+  const double insulated = temperatures("", ring_geo(1)).history.at("corner", 0);
+  EXPECT_GT(std::abs(insulated - all), 0.02 * all) << "the cuts matter";
+}
+
 /// A rigid rim turns by an angle: u_theta = angle (r - a^2/r)/(1 - a^2/b^2)/b, torque 4 pi G angle a^2/(1 - a^2/b^2).
 TEST(Cyclic, RigidRimTurnsTheSector) {
   constexpr double angle = 1e-3;

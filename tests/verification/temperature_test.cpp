@@ -1,5 +1,5 @@
-/// Creep in a temperature that varies through a wall, given as an expression and as a file of points; loads that
-/// repeat.
+/// Creep in a temperature that varies through a wall, given as an expression and as a file of points; a hot spot; loads
+/// that repeat.
 #include <fmt/format.h>
 
 #include "boxes.hpp"
@@ -77,6 +77,34 @@ TEST(Temperature, RadialFieldInACreepingCylinder) {
       EXPECT_NEAR(read.history.at(fmt::format("T{}", i), times[k]), temperature(radii[i]), 0.2);
     }
   }
+}
+
+/// NAFEMS T1 (The Standard NAFEMS Benchmarks, 1990): a square of 20 x 20 with a hot spot of radius 1 in its middle;
+/// only the spot expands. In an infinite plate sigma_yy beside the spot is E alpha T/2.
+TEST(Temperature, NafemsT1HotSpot) {
+  const auto stress = [](const std::string& outline) {
+    const std::string geo = "SetFactory(\"OpenCASCADE\");\n" + outline + R"geo(
+      Disk(2) = {0, 0, 0, 1}; Rectangle(3) = {0, 0, 0, 10, 10};
+      quarter[] = BooleanIntersection{ Surface{1}; Delete; }{ Surface{3}; };
+      spot[] = BooleanIntersection{ Surface{2}; Delete; }{ Surface{3}; Delete; };
+      BooleanFragments{ Surface{quarter[]}; Delete; }{ Surface{spot[]}; Delete; }
+      spot[] = Surface In BoundingBox {-0.1, -0.1, -0.1, 1.1, 1.1, 0.1};
+      plate[] = Surface{:}; plate[] -= {spot[]};
+      Physical Surface("spot") = {spot[]}; Physical Surface("plate") = {plate[]};
+      Physical Curve("x0") = Curve In BoundingBox {-0.1, -0.1, -0.1, 0.1, 11, 0.1};
+      Physical Curve("y0") = Curve In BoundingBox {-0.1, -0.1, -0.1, 11, 0.1, 0.1};
+      MeshSize{:} = 1; MeshSize{ PointsOf{ Surface{spot[]}; } } = 0.1;
+    )geo";
+    std::string toml = "analysis = \"plane_stress\"\n[mesh]\nfile = \"case.geo\"\norder = 2\nshare_nodes = \"tie\"\n";
+    for (const std::string name : {"spot", "plate"})
+      toml += body(name, 1e5, 0.3) +
+              fmt::format("thermal_expansion = {}\nreference_temperature = 0\n", name == "spot" ? "1e-5" : "0");
+    toml += support("x0", "x") + support("y0", "y") + "[temperature]\nvalue = 100\n[time]\nend = 0\n" +
+            probe("D", "stress_yy", "at = [1, 0, 0]\nbody = \"plate\"");
+    return run_case(toml, geo).history.at("D", 0);
+  };
+  EXPECT_RELATIVE(stress("Rectangle(1) = {-10, -10, 0, 20, 20};"), 50, 0.01) << "published, of an infinite plate";
+  EXPECT_RELATIVE(stress("Disk(1) = {0, 0, 0, 10};"), 50 * (1 + 0.01), 2e-3) << "of a round plate";
 }
 
 /// Twenty starts and stops: a load from 0 to 100 within 1, held, and back from 24 to 25, every 50.

@@ -47,7 +47,7 @@ class CreepSystem final : public ode::System,
   /// that belongs to them. @throws SolverError without convergence
   std::vector<double> initial_state();
   /// The part of a change of temperatures that comes back through contact, see io::Summary::Heat; nullopt without heat
-  /// in the state. Cost: some elastic solves
+  /// in the state, or where nothing holds temperatures. Cost: some elastic solves
   std::optional<double> loop_gain(double t, std::span<const double> y);
   const Team& team() const override { return assembly().team(); }
   /// @throws RecoverableError if no equilibrium is found, or if the stress or a rate is not finite

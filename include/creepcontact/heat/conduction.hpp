@@ -144,6 +144,9 @@ class Conduction final : public ode::ImplicitSystem {
   void make_consistent(double t, std::span<double> y, std::span<double> rate, const ContactAtNodes& contact = {});
   Balance balance(double t, std::span<const double> y, std::span<const double> rate,
                   const ContactAtNodes& contact = {}) const;
+  /// The largest flow that one node at its temperature would make among others at zero: what is far smaller than that
+  /// is rounding.
+  double flow_scale(double t, std::span<const double> y, const ContactAtNodes& contact = {});
 
   /// The temperature is given there, whatever y says.
   bool is_given(std::size_t unknown) const;

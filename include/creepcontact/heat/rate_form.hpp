@@ -3,6 +3,7 @@
 /// parts too and integrators of such equations. The conductances of interfaces may depend on contact.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,9 +39,10 @@ class RateForm {
 
   /// Temperatures of a steady state at these conductances. See Conduction::steady()
   void steady(double t, const ContactAtNodes& contact, std::span<double> T) { problem_.steady(t, T, contact); }
-  /// The change of steady temperatures for a change of contact. Cost: a factorisation
-  std::vector<double> steady_change(double t, std::span<const double> T, const ContactAtNodes& contact,
-                                    const ContactAtNodes& contact_change);
+  /// The change of steady temperatures for a change of contact; nullopt where nothing holds them, as before the first
+  /// film acts. Cost: a factorisation
+  std::optional<std::vector<double>> steady_change(double t, std::span<const double> T, const ContactAtNodes& contact,
+                                                   const ContactAtNodes& contact_change);
 
  private:
   /// x = C(T)^-1 x

@@ -8,6 +8,7 @@
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/creep/assembly.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
+#include "creepcontact/heat/figures.hpp"
 #include "creepcontact/model/load_cycles.hpp"
 #include "creepcontact/model/step_limits.hpp"
 
@@ -20,8 +21,9 @@ struct Model {
   std::optional<mechanics::TemperatureField> temperature;
   /// Times at which functions of the configuration jump, change their slope or turn back, ascending.
   std::vector<double> breakpoints;
-  StepLimits step_limits;            ///< where functions vibrate
-  std::optional<LoadCycles> cycles;  ///< given time.cycle
+  StepLimits step_limits;                  ///< where functions vibrate
+  std::optional<LoadCycles> cycles;        ///< given time.cycle
+  std::optional<heat::Figures> heat = {};  ///< given [heat]
 
   /// Breakpoints at which the loads are not those of an earlier cycle.
   std::vector<double> distinct_breakpoints() const { return cycles ? cycles->distinct_breakpoints() : breakpoints; }

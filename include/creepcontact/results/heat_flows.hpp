@@ -21,14 +21,16 @@ class HeatFlows {
   /// The flows at the state of a snapshot; rates are those with which the equations hold. Cost: a factorisation, unless
   /// the temperature is steady
   heat::Balance at(Snapshot& snapshot);
+  /// See heat::Conduction::flow_scale().
+  double scale(Snapshot& snapshot);
 
  private:
   const creep::Assembly& assembly_;
   heat::Conduction problem_;
 };
 
-/// The heat that leaves the bodies through a group of faces: by films, fluxes and radiation there, by given
-/// temperatures of its nodes, and across contacts.
+/// The heat that leaves the bodies through a group of faces: by films, fluxes and radiation there, by flows
+/// into its nodes and given temperatures of them, and across contacts.
 class SurfaceHeat {
  public:
   /// @param body  only of this one; nullopt: of all
@@ -38,7 +40,7 @@ class SurfaceHeat {
 
  private:
   std::unique_ptr<HeatFlows> flows_;
-  std::vector<std::size_t> flow_parts_, given_parts_;
+  std::vector<std::size_t> flow_parts_, point_parts_, given_parts_;
   std::vector<std::pair<std::size_t, double>> interface_parts_;  // with the sign of what leaves
 };
 

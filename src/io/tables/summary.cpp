@@ -132,6 +132,9 @@ Json heat_json(const Summary::Heat& heat) {
     json["loop_gain"] = heat.loop_gain->value;
     json["loop_gain_time"] = heat.loop_gain->time;
   }
+  for (const Summary::Heat::SuddenLoss& loss : heat.sudden_losses)
+    json["sudden_losses"].push_back(
+        {{"contact", loss.contact}, {"time", loss.time}, {"since", loss.since}, {"force", loss.force}});
   return json;
 }
 

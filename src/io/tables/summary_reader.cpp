@@ -137,6 +137,10 @@ void read_heat(const nlohmann::json& json, Summary& summary) {
   heat.rest = number(*found, "rest");
   if (const auto gain = number_if_any(*found, "loop_gain"))
     heat.loop_gain = Summary::Heat::Gain{*gain, number(*found, "loop_gain_time")};
+  if (const auto losses = found->find("sudden_losses"); losses != found->end() && losses->is_array())
+    for (const nlohmann::json& loss : *losses)
+      heat.sudden_losses.push_back(
+          {loss.value("contact", ""), number(loss, "time"), number(loss, "since"), number(loss, "force")});
   summary.heat = std::move(heat);
 }
 

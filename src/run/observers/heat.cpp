@@ -1,37 +1,47 @@
 /// How much heat flows at the end, and how strongly contact and heat act on each other.
 #include <fmt/format.h>
 
+#include "../heat_lines.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/results/contact_values.hpp"
 #include "creepcontact/results/heat_flows.hpp"
 #include "creepcontact/run/summary.hpp"
 #include "observers.hpp"
+#include "sudden_loss.hpp"
 
 namespace creepcontact::run {
 namespace {
 
-constexpr double large_gain = 0.5;
-
 class HeatObserver final : public Observer {
  public:
+  explicit HeatObserver(const RunContext& context) : pairs_(context.assembly().pairs()) {
+    if (context.assembly().heat() == nullptr) return;
+    const std::vector<heat::HeatingThrough>& bodies = context.model.heat->bodies;
+    for (const contact::Pair& pair : pairs_)
+      losses_.emplace_back(std::max(bodies[pair.slave_body].time, bodies[pair.master_body].time),
+                           context.model.breakpoints);
+  }
+
+  void state(StepView& view) override {
+    for (std::size_t p = 0; p < losses_.size(); ++p) {
+      const double force = results::normal_force(pairs_[p], view.evaluation().equilibrium.contact.multiplier);
+      const auto loss = losses_[p].observe(view.time(), force);
+      if (!loss) continue;
+      lost_.push_back({pairs_[p].name, loss->time, loss->since, loss->force});
+      log::warning(
+          "heat: contact '{}' loses the last {:.2g} % of its largest normal force between t = {:.6g} and {:.6g}, at "
+          "the "
+          "speed of heat: pressure, conductance and temperature of the joint have no steady state with contact any "
+          "more",
+          pairs_[p].name, 100 * loss->share, loss->since, loss->time);
+    }
+  }
   void output(StepView& view) override {
     watch_gain(view);
     if (!view.is_end) return;
     view.with_snapshot([&](results::Snapshot& snapshot) {
       results::HeatFlows flows(snapshot.assembly());
-      const heat::Balance balance = flows.at(snapshot);
-      heat_ = io::Summary::Heat();
-      const heat::Definition& all = flows.definition();
-      const auto take = [](const auto& named, const std::vector<double>& values,
-                           std::vector<std::pair<std::string, double>>& into) {
-        for (std::size_t i = 0; i < values.size(); ++i) into.emplace_back(named[i].name, values[i]);
-      };
-      take(all.flows, balance.flows, heat_->flows);
-      take(all.sources, balance.sources, heat_->flows);
-      take(all.point_flows, balance.points, heat_->flows);
-      take(all.given, balance.given, heat_->flows);
-      take(all.interfaces, balance.interfaces, heat_->contacts);
-      heat_->stored = balance.stored;
-      heat_->rest = balance.rest();
+      heat_ = recorded(flows, snapshot);
       return std::vector<double>{};
     });
   }
@@ -39,20 +49,50 @@ class HeatObserver final : public Observer {
     summary.results.heat = heat_;
     if (!summary.results.heat) return;
     summary.results.heat->loop_gain = largest_gain_;
+    summary.results.heat->sudden_losses = lost_;
+  }
+  void save(creep::Memory& memory) const override {
+    if (largest_gain_) memory["heat.loop_gain"] = {largest_gain_->value, largest_gain_->time};
+    for (std::size_t p = 0; p < losses_.size(); ++p) {
+      losses_[p].save(force_name(p), memory);
+      std::vector<double> lost;
+      for (const Loss& loss : lost_)
+        if (loss.contact == pairs_[p].name) lost.insert(lost.end(), {loss.time, loss.since, loss.force});
+      if (!lost.empty()) memory[loss_name(p)] = std::move(lost);
+    }
+  }
+  void restore(const creep::Memory& memory) override {
+    if (const auto gain = memory.find("heat.loop_gain"); gain != memory.end() && gain->second.size() == 2)
+      largest_gain_ = {gain->second[0], gain->second[1]};
+    for (std::size_t p = 0; p < losses_.size(); ++p) {
+      losses_[p].restore(force_name(p), memory);
+      const auto lost = memory.find(loss_name(p));
+      if (lost == memory.end()) continue;
+      for (std::size_t i = 0; i + 2 < lost->second.size(); i += 3)
+        lost_.push_back({pairs_[p].name, lost->second[i], lost->second[i + 1], lost->second[i + 2]});
+    }
   }
 
  private:
+  using Loss = io::Summary::Heat::SuddenLoss;
+
+  static std::string force_name(std::size_t pair) { return fmt::format("heat.forces.{}", pair); }
+  static std::string loss_name(std::size_t pair) { return fmt::format("heat.lost.{}", pair); }
+
   void watch_gain(StepView& view) {
     const std::optional<double> gain = view.system().loop_gain(view.time(), view.y());
     if (!gain) return;
-    if (*gain > large_gain && (!largest_gain_ || !(largest_gain_->value > large_gain)))
+    if (*gain > large_loop_gain && (!largest_gain_ || !(largest_gain_->value > large_loop_gain)))
       log::warning(
           "heat: at t = {:.6g} a change of the temperature comes back {:.2g} times through pressure and conductance of "
-          "the contacts; above 1 the joint loses its pressure, or takes it up, at the speed of heat",
-          view.time(), *gain);
+          "the contacts{}",
+          view.time(), *gain, loop_gain_warning);
     if (!largest_gain_ || *gain > largest_gain_->value) largest_gain_ = {*gain, view.time()};
   }
 
+  const std::vector<contact::Pair>& pairs_;
+  std::vector<SuddenLoss> losses_;  // by pair, if heat depends on contact
+  std::vector<Loss> lost_;
   std::optional<io::Summary::Heat> heat_;                // in process 0
   std::optional<io::Summary::Heat::Gain> largest_gain_;  // at the output times
 };
@@ -61,7 +101,7 @@ class HeatObserver final : public Observer {
 
 std::unique_ptr<Observer> observe_heat(const RunContext& context) {
   if (context.model.assembly.conduction() == nullptr) return nullptr;
-  return std::make_unique<HeatObserver>();
+  return std::make_unique<HeatObserver>(context);
 }
 
 }  // namespace creepcontact::run

@@ -126,6 +126,13 @@ struct Summary : RunCounters {
     /// temperatures that comes back through pressure and conductance; above 1 the joint is unstable. Only if
     /// conductances depend on contact.
     std::optional<Gain> loop_gain = {};
+    struct SuddenLoss {
+      std::string contact;
+      double time = 0, since = 0;  ///< without pressure; the last time with half of what was lost
+      double force = 0;            ///< that was lost
+    };
+    /// Contacts that lost their pressure at the speed of heat.
+    std::vector<SuddenLoss> sudden_losses = {};
     /// The largest single flow.
     double largest() const;
   };

@@ -1,0 +1,39 @@
+#pragma once
+/// What is known of a problem of heat before it is solved: how fast bodies follow their surfaces, and whether their
+/// elements are fine enough for their films.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "creepcontact/heat/conduction.hpp"
+
+namespace creepcontact::heat {
+
+/// How fast a body follows.
+struct HeatingThrough {
+  double depth = 0;  ///< volume over the surface through which heat comes; 0: none comes
+  double time = 0;   ///< of the run: depth squared over the diffusivity
+};
+
+/// How fine the elements at a film are.
+struct FilmFigures {
+  std::size_t flow = 0;     ///< of Definition::flows
+  double coefficient = 0;   ///< the largest one
+  double element_size = 0;  ///< from the surface inwards, where the Biot number is largest
+  double biot = 0;          ///< of the elements: coefficient times their size over the conductivity
+  double first_jump = 0;    ///< of the fluid against the body, at the start
+  double later_jump = 0;    ///< of the fluid, the largest one
+  double range = 0;         ///< of the temperatures of fluid and start
+};
+
+struct Figures {
+  std::vector<HeatingThrough> bodies;
+  std::vector<FilmFigures> films;
+};
+
+/// @param start  temperatures by body, at which properties are taken @param end  of the run
+/// Cost: a pass through the cells
+Figures figures(const Definition& definition, std::span<const double> start, double end);
+
+}  // namespace creepcontact::heat
