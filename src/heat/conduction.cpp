@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -26,9 +27,24 @@ constexpr double of_a_newton_step = 1e-6, of_a_correction = 0.1;  // errors of s
 constexpr int most_stalled = 4;                                   // iterations in which the residual has not halved
 constexpr double rounding_step = 1e-8;                            // of the temperatures
 constexpr std::int32_t not_stored = -1;
+constexpr double capacity_tolerance = 1e-14;    // where the matrix has capacities alone
+constexpr int most_capacity_iterations = 1000;  // some 100 are usual
 
 double norm(std::span<const double> values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values)).norm();
+}
+
+/// x = M^-1 x by conjugate gradients, whose iterations together cost less than a factorisation of capacities would.
+/// @param lower  triangle of M @returns false, and x as it was, without convergence
+bool solve_well_conditioned(const linalg::SparseMatrix& lower, std::span<double> x) {
+  Eigen::ConjugateGradient<linalg::SparseMatrix, Eigen::Lower> solver(lower);
+  solver.setTolerance(capacity_tolerance);
+  solver.setMaxIterations(most_capacity_iterations);
+  Eigen::Map<Eigen::VectorXd> given(x.data(), std::ssize(x));
+  const Eigen::VectorXd solution = solver.solve(given);
+  if (solver.info() != Eigen::Success || !solution.allFinite()) return false;
+  given = solution;
+  return true;
 }
 
 }  // namespace
@@ -394,8 +410,10 @@ void Conduction::make_consistent(double t, std::span<double> y, std::span<double
   for (std::size_t u = 0; u < size(); ++u)
     if (own.given[u] >= 0) residual[u] = 0;
   own.assemble();
-  own.factorize();
-  own.solve(residual, {});
+  if (!solve_well_conditioned(own.matrix, residual)) {
+    own.factorize();
+    own.solve(residual, {});
+  }
   for (std::size_t u = 0; u < size(); ++u) rate[u] = own.given[u] >= 0 ? own.given_rate(u, t) : -residual[u];
 }
 

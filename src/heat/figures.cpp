@@ -21,7 +21,7 @@ double area(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces) {
   return sum;
 }
 
-/// By body: through which heat can come.
+/// Surfaces through which heat can come, by body.
 std::vector<double> exchanging_areas(const Definition& all) {
   std::vector<double> areas(all.bodies.size());
   std::vector<std::set<std::vector<std::int64_t>>> counted(all.bodies.size());  // a face may have several

@@ -11,6 +11,7 @@ namespace creepcontact::heat {
 namespace {
 
 constexpr int most_of_one_solution = 20;  // iterations
+constexpr double near = 0.3;              // part of the residual that a factor leaves after a step along what it gives
 
 }  // namespace
 
@@ -60,27 +61,25 @@ bool KeptFactor::iterate(std::span<double> x, Accuracy accuracy) {
     pass({z.data(), x.size()});
   };
   precondition();
-  if (z.norm() <= enough) {  // the factor is near enough
-    given = z;
-    return true;
-  }
   direction = z;
   double size = residual.dot(z), energy = 0;
   for (int iteration = 1; size > 0; ++iteration) {
     image.noalias() = matrix_->selfadjointView<Eigen::Lower>() * direction;
     const double curvature = direction.dot(image);
     if (!(curvature > 0)) return false;  // rounding, or a matrix that is not positive
+    // What the factor alone gives would be far too small if it were that of shorter steps: the length of the step
+    // along it is what tells the size of the solution.
     const double step = size / curvature, gained = step * size;
     solution += step * direction;
     residual -= step * image;
     energy += gained;
+    if (step * direction.norm() <= enough && residual.norm() <= near * given.norm()) break;
     // What an iteration gains is about what is left; the residual also tells it after the first one.
     if (gained <= accuracy.relative * accuracy.relative * energy || residual.norm() <= accuracy.relative * given.norm())
       break;
     if (iteration == most_of_one_solution) return false;
     precondition();
     ++spent_;
-    if (z.norm() <= enough) break;
     const double before = std::exchange(size, residual.dot(z));
     direction = z + (size / before) * direction;
   }
