@@ -16,7 +16,10 @@ constexpr double min_share_of_elastic = 1e-3;
 constexpr double cycle_resolution = 50;
 constexpr double strain_of_unloaded_gaskets = 1e-3;  // where nothing is known of its pressures
 constexpr double share_of_range = 0.25;  // of temperatures: with a tolerance of 1e-3 errors of 1e-4 of their range
-constexpr double steady = 0.1;           // relative changes up to here leave the scale as it is
+/// Part of the stress that the whole range of temperatures would make in a body that is held: before it is heated, a
+/// body may be without stress.
+constexpr double min_share_of_thermal = 1e-3;
+constexpr double steady = 0.1;  // relative changes up to here leave the scale as it is
 
 /// Young's modulus at the first point, from the process that has it.
 double young_modulus(const Team& team, const mechanics::Body& body, const mechanics::BodyConditions& at) {
@@ -26,6 +29,13 @@ double young_modulus(const Team& team, const mechanics::Body& body, const mechan
   return team.max(h.mu * (3 * h.lambda + 2 * h.mu) / (h.lambda + h.mu));
 }
 
+/// Thermal strain per degree, about.
+double expansion(const mechanics::Body& body) {
+  const material::Material& material = body.material();
+  const double T = material.reference_temperature;
+  return material.thermal_expansion.strains(T + 1, T).cwiseAbs().maxCoeff();
+}
+
 }  // namespace
 
 ErrorScale::ErrorScale(const Assembly& assembly, const std::vector<double>& elastic_stress,
@@ -33,6 +43,7 @@ ErrorScale::ErrorScale(const Assembly& assembly, const std::vector<double>& elas
     : assembly_(assembly),
       layout_(assembly),
       strain_(assembly.bodies().size(), 0.0),
+      thermal_stress_(assembly.bodies().size(), 0.0),
       gasket_strain_(assembly.pairs().size(), 0.0),
       least_gasket_strain_(gasket_strain_),
       values_(layout_.size(), 1.0) {
@@ -42,12 +53,18 @@ ErrorScale::ErrorScale(const Assembly& assembly, const std::vector<double>& elas
       for (int k = 0; k < law->n_internal(); ++k, ++column)
         if (law->internal_kind(k) == material::InternalKind::life) lives_.push_back({b, column});
   }
+  if (const HeatModel* heat = assembly.heat(); heat != nullptr)
+    for (std::size_t b = 0; b < strain_.size(); ++b) {
+      const mechanics::Body& body = assembly.bodies()[b];
+      thermal_stress_[b] =
+          min_share_of_thermal * heat->range * expansion(body) * young_modulus(assembly.team(), body, body.at(0));
+    }
   set_temperatures();
   if (elastic_stress.empty()) return;
   const double largest = *std::ranges::max_element(elastic_stress);
   least_ = min_share_of_elastic * largest;
   for (std::size_t b = 0; b < strain_.size(); ++b)
-    set(b, std::max(elastic_stress[b], min_share_of_largest * largest) /
+    set(b, std::max({elastic_stress[b], min_share_of_largest * largest, thermal_stress_[b]}) /
                young_modulus(assembly.team(), assembly.bodies()[b], assembly.bodies()[b].at(0)));
   for (std::size_t p = 0; p < gasket_strain.size(); ++p) {
     least_gasket_strain_[p] = min_share_of_largest * gasket_strain[p];
@@ -77,7 +94,7 @@ void ErrorScale::follow(const Equilibrium& at) {
   const std::vector<double> stress = typical(assembly_, at);
   const double largest = *std::ranges::max_element(stress);
   for (std::size_t b = 0; b < strain_.size(); ++b) {
-    const double now = std::max({stress[b], min_share_of_largest * largest, least_}) /
+    const double now = std::max({stress[b], min_share_of_largest * largest, least_, thermal_stress_[b]}) /
                        young_modulus(assembly_.team(), assembly_.bodies()[b], at.conditions[b]);
     if (std::abs(now - strain_[b]) > steady * strain_[b]) set(b, now);
   }
@@ -156,10 +173,8 @@ void ErrorScale::set_temperatures() {
   if (heat == nullptr) return;
   double scale = share_of_range * heat->range;
   for (std::size_t b = 0; b < strain_.size(); ++b) {
-    const material::Material& material = assembly_.bodies()[b].material();
-    const double T = material.reference_temperature;
-    const double expansion = material.thermal_expansion.strains(T + 1, T).cwiseAbs().maxCoeff();
-    if (strain_[b] > 0 && expansion > 0) scale = std::min(scale, strain_[b] / expansion);
+    const double per_degree = expansion(assembly_.bodies()[b]);
+    if (strain_[b] > 0 && per_degree > 0) scale = std::min(scale, strain_[b] / per_degree);
   }
   std::ranges::fill(layout_.temperatures(std::span(values_)), scale);
 }

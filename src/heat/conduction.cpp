@@ -249,8 +249,10 @@ struct Conduction::Impl {
       const std::string& name =
           definition.bodies[bodies[static_cast<std::size_t>(std::max<std::int64_t>(singular.row, 0))]].name;
       throw ModelError(fmt::format(
-          "heat: nothing holds the temperature of body '{}': it has no given temperature, no film and no interface "
-          "with a body that has one; or its conductivity or its heat capacity is zero",
+          "nothing holds the temperature of body '{}': it has no given temperature, no film whose coefficient is "
+          "above zero, and no contact that conducts to a body that has one; or its conductivity or its heat capacity "
+          "is "
+          "zero",
           name));
     }
   }

@@ -13,6 +13,8 @@ namespace {
 constexpr double for_steps = 0.5,
                  for_output = 0.3;  // of the tolerance: for the root mean square, and the largest error
 
+constexpr double first_step = 1e-3;  // of what is left: at most what IDA begins with
+
 struct Node {
   double t = 0;
   std::vector<double> value, rate;
@@ -101,7 +103,14 @@ History integrate(Conduction& problem, std::vector<double> start, const HistoryO
     Segment segment(for_output * options.tolerance, result);
     segment.add({t, y, rate});
     while (integrator.time() < last) {
-      integrator.step(last);
+      double to = last;
+      if (options.end_of_step) {
+        const double t_now = integrator.time(), step = integrator.next_step();
+        const double next = std::min(last, t_now + (step > 0 ? step : first_step * (last - t_now)));
+        const double limit = options.end_of_step(t_now, next, begin, last);
+        if (limit > t_now && limit < next) to = limit;
+      }
+      integrator.step(to);
       segment.add({integrator.time() >= last ? end : integrator.time(),
                    {integrator.state().begin(), integrator.state().end()},
                    {integrator.rate().begin(), integrator.rate().end()}});

@@ -28,9 +28,9 @@ void KeptFactor::factorize() {
   }
   ++n_factorizations_;
   spent_ = 0;
-  is_exact_ = false;
+  is_exact_ = has_factor_ = false;  // for good, if the matrix is singular
   solver_->factorize(*matrix_);
-  is_exact_ = true;
+  is_exact_ = has_factor_ = true;
 }
 
 double KeptFactor::worth() const {
@@ -45,7 +45,7 @@ void KeptFactor::pass(std::span<double> x) {
 }
 
 void KeptFactor::solve(std::span<double> x, Accuracy accuracy) {
-  if (n_factorizations_ == 0 || (!is_exact_ && spent_ > worth())) factorize();
+  if (!has_factor_ || (!is_exact_ && spent_ > worth())) factorize();
   if (!is_exact_ && iterate(x, accuracy)) return;
   if (!is_exact_) factorize();
   pass(x);

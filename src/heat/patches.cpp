@@ -148,11 +148,16 @@ class Cell final : public Patch {
     double weight = 0;
   };
 
+  double checked(double conductivity, double T) const {
+    if (conductivity >= 0 && std::isfinite(conductivity)) return conductivity;
+    throw ModelError(fmt::format("the conductivity of body '{}' is {:.6g} at T = {:.6g}; it must not be negative",
+                                 body_.name, conductivity, T));
+  }
   double capacity(double T) const { return body_.density * body_.capacity({.T = T}) / time_unit_; }
   Vector3 times_conductivity(Index point, double T, const Vector3& gradient) const {
     const std::vector<Function>& along = body_.conductivity;
-    if (along.size() == 1) return along.front()({.T = T}) * gradient;
-    const Vector3 own(along[0]({.T = T}), along[1]({.T = T}), along[2]({.T = T}));
+    if (along.size() == 1) return checked(along.front()({.T = T}), T) * gradient;
+    const Vector3 own(checked(along[0]({.T = T}), T), checked(along[1]({.T = T}), T), checked(along[2]({.T = T}), T));
     if (axes_.empty()) return own.cwiseProduct(gradient);
     const Matrix3& axes = axes_[static_cast<std::size_t>(point)];
     return axes * own.cwiseProduct(axes.transpose() * gradient);
@@ -186,9 +191,10 @@ class Cell final : public Patch {
 /// A film, a flux or radiation on a face; or a flux that is a source, per volume of a cell.
 class Inflow final : public Patch {
  public:
-  Inflow(SurfaceFlow::Kind kind, Function factor, Function beyond, double absolute_zero, const mesh::Mesh& mesh,
-         mesh::CellType type, std::span<const std::int64_t> nodes)
-      : kind_(kind),
+  Inflow(std::string name, SurfaceFlow::Kind kind, Function factor, Function beyond, double absolute_zero,
+         const mesh::Mesh& mesh, mesh::CellType type, std::span<const std::int64_t> nodes)
+      : name_(std::move(name)),
+        kind_(kind),
         factor_(std::move(factor)),
         beyond_(std::move(beyond)),
         absolute_zero_(absolute_zero),
@@ -210,11 +216,13 @@ class Inflow final : public Patch {
       const double own = N.dot(T);
       const Arguments here = arguments(places_[q], at.t, own);
       const double factor = factor_(here);
+      if (!std::isfinite(factor) || (factor < 0 && kind_ != Kind::flux)) refuse(factor, here);
       if (kind_ == Kind::flux) {
         residual.noalias() -= sizes_[q] * factor * N;
         continue;
       }
       const double beyond = beyond_(here);
+      if (!std::isfinite(beyond)) refuse(beyond, here);
       double inwards = factor * (beyond - own), slope = factor;
       if (kind_ == Kind::radiation) {
         const double a = beyond - absolute_zero_, b = own - absolute_zero_;
@@ -227,6 +235,14 @@ class Inflow final : public Patch {
   }
 
  private:
+  [[noreturn]] void refuse(double value, const Arguments& at) const {
+    throw ModelError(
+        fmt::format("the {}: one of its values is {:.6g} at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g}, T = {:.6g}; "
+                    "coefficients must not be negative, emissivities between 0 and 1, and all of it finite",
+                    name_, value, at.x, at.y, at.z, at.t, at.T));
+  }
+
+  std::string name_;
   SurfaceFlow::Kind kind_;
   Function factor_, beyond_;
   double absolute_zero_;
@@ -322,9 +338,8 @@ double conductance(const Interface& interface, const contact::FacingFaces& faces
       for (const Function& one : body->conductivity) k = std::max(k, one(here));
     return perfect * k / faces.size;
   }
-  if (!interface.conductance.depends_on_contact() || interface.contact_nodes.empty())
-    return interface.conductance(here);
-  if (!at.contact.pressure.empty()) {
+  const bool depends_on_contact = interface.conductance.depends_on_contact() && !interface.contact_nodes.empty();
+  if (depends_on_contact && !at.contact.pressure.empty()) {
     double sum = 0, p = 0, gap = 0;
     for (Index i = 0; i < point.hats.size(); ++i) {
       const int node =
@@ -339,7 +354,7 @@ double conductance(const Interface& interface, const contact::FacingFaces& faces
     here.gap = std::max(0.0, gap / sum);
   }
   double h = 0;
-  if (const double p = here.p; p >= interface.linear_below) {
+  if (const double p = here.p; !depends_on_contact || p >= interface.linear_below) {
     h = interface.conductance(here);
   } else {
     here.p = 0;
@@ -363,7 +378,8 @@ Patches cell_patches(const Conductor& body, const std::vector<int>& unknown_of, 
 
 Patches source_patches(const Source& source, const Conductor& body, const std::vector<int>& unknown_of) {
   return patches_of_cells(body, unknown_of, [&](mesh::CellType type, std::span<const std::int64_t> cell) {
-    return std::make_unique<Inflow>(SurfaceFlow::Kind::flux, source.value, 0.0, 0.0, *body.mesh, type, cell);
+    return std::make_unique<Inflow>(source.name, SurfaceFlow::Kind::flux, source.value, 0.0, 0.0, *body.mesh, type,
+                                    cell);
   });
 }
 
@@ -371,8 +387,8 @@ Patches flow_patches(const SurfaceFlow& flow, const Conductor& body, const std::
                      double absolute_zero) {
   Patches result;
   for (const mesh::Face& face : flow.faces) {
-    result.push_back(std::make_unique<Inflow>(flow.kind, flow.factor, flow.beyond, absolute_zero, *body.mesh, face.type,
-                                              face.nodes));
+    result.push_back(std::make_unique<Inflow>(flow.name, flow.kind, flow.factor, flow.beyond, absolute_zero, *body.mesh,
+                                              face.type, face.nodes));
     result.back()->nodes = unknowns(face.nodes, unknown_of);
   }
   return result;

@@ -8,12 +8,15 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <set>
 
 #include "course_events.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/config/configured.hpp"
 #include "creepcontact/heat/history.hpp"
+#include "creepcontact/model/step_guard.hpp"
 #include "heat_remarks.hpp"
 #include "kept_temperatures.hpp"
 
@@ -57,6 +60,8 @@ class HeatProblem {
     add_bodies();
     add_flows();
     add_point_flows();
+    warn_of_twice_given();
+    tell_of_films_in_contact();
     for (const config::Contact& contact : config.contacts) add_contact(contact);
     for (const SharedNodes::Joined& both : shared.joined())
       all_.equal.push_back({{both.first.body, both.first.node}, {both.second.body, both.second.node}});
@@ -97,18 +102,26 @@ class HeatProblem {
     if (is_coupled) {
       heat::History at_start = heat::integrate(problem, start, {});
       at_start.kinks = kinks(end);
-      log::info("heat: {} temperatures are part of the state, since conductances depend on contact", problem.size());
+      log::info("heat: {} temperatures are part of the state, since conductances depend on contact{}", problem.size(),
+                heat_.keep ? "; 'keep' has no temperatures to keep" : "");
       return {field(problem, at_start, true),
               creep::HeatModel{.definition = problem.definition(),
                                .is_state = true,
                                .start = std::move(start),
                                .start_is_steady = !heat_.start,
-                               .range = range.high - range.low,
+                               .range = size_of(range),
                                .unknown_of = problem.unknown_of()},
               std::move(of_problem)};
     }
-    const double allowed = heat_.tolerance * std::max(range.high - range.low, std::numeric_limits<double>::min());
-    const heat::History history = heat::integrate(problem, start, {end, smooth_between, allowed});
+    const double allowed = heat_.tolerance * size_of(range);
+    const StepGuard guard(heat_courses(config_, some_places(), guess()), end, heat_.tolerance);
+    const heat::History history = heat::integrate(
+        problem, start, {end, smooth_between, allowed, [&](double from, double to, double begin, double last) {
+                           for (std::size_t i = 0; i < guard.courses().size(); ++i)
+                             if (const auto found = guard.examine(i, from, to, {begin, last}))
+                               to = std::min(to, found->time);
+                           return to;
+                         }});
     tell(problem, history);
     if (heat_.keep) write_kept(*heat_.keep, fingerprint, history);
     return {field(problem, history, false), creep::HeatModel{.definition = problem.definition(), .is_steady = end == 0},
@@ -116,6 +129,9 @@ class HeatProblem {
   }
 
  private:
+  /// Less than a degree counts as one: where nothing seems to happen, heat that is given still may.
+  static double size_of(const Interval& range) { return std::max(range.high - range.low, 1.0); }
+
   heat::Figures figures(const heat::Conduction& problem, const std::vector<double>& start, double end) const {
     std::vector<double> of_bodies;
     for (std::size_t b = 0; b < meshes_.size(); ++b) of_bodies.push_back(problem.at_nodes(b, start).front());
@@ -137,13 +153,19 @@ class HeatProblem {
     }
   }
 
+  /// A name that no other flow has: the second one on a surface is number 2.
+  std::string another(const std::string& name) {
+    const int number = ++names_[name];
+    return number == 1 ? name : fmt::format("{}, number {}", name, number);
+  }
+
   void add_flow(heat::SurfaceFlow::Kind kind, const config::Reference& on, const config::Reference& body,
                 const Function& factor, const Function& beyond) {
     using Kind = heat::SurfaceFlow::Kind;
     const char* const word = kind == Kind::film ? "film" : kind == Kind::flux ? "flux" : "radiation";
     for (const std::size_t b : bodies_on(on, body, face_dimension()))
       all_.flows.push_back({kind, b, mesh::boundary_faces(meshes_[b], on.name), factor, beyond,
-                            fmt::format("{} on '{}' of body '{}'", word, on.name, config_.bodies[b].name)});
+                            another(fmt::format("{} on '{}' of body '{}'", word, on.name, config_.bodies[b].name))});
   }
 
   void add_flows() {
@@ -156,26 +178,54 @@ class HeatProblem {
     for_entries(heat_.radiation, "radiation", [&](const config::HeatRadiation& radiation) {
       const double sigma = *heat_.stefan_boltzmann;
       add_flow(Kind::radiation, radiation.on, radiation.body,
-               Function::composed(fmt::format("{:.17g} times {}", sigma, radiation.emissivity.text()),
-                                  {radiation.emissivity},
-                                  [sigma](const std::vector<double>& values) { return sigma * values[0]; }),
+               Function::composed(
+                   fmt::format("{:.17g} times {}", sigma, radiation.emissivity.text()), {radiation.emissivity},
+                   [sigma](const std::vector<double>& values) {
+                     return values[0] <= 1 ? sigma * values[0] : std::numeric_limits<double>::quiet_NaN();
+                   }),
                radiation.ambient);
     });
     for_entries(heat_.sources, "sources", [&](const config::HeatSource& source) {
-      all_.sources.push_back(
-          {body_index(config_, source.body.name), source.value, fmt::format("source in body '{}'", source.body.name)});
+      all_.sources.push_back({body_index(config_, source.body.name), source.value,
+                              another(fmt::format("source in body '{}'", source.body.name))});
     });
     for_entries(heat_.temperatures, "temperatures", [&](const config::HeatTemperature& given) {
       for (const std::size_t b : bodies_on(given.on, given.body, -1))
         all_.given.push_back(
             {b, mesh::group_nodes(meshes_[b], given.on.name), given.value,
-             fmt::format("given temperature of '{}' on body '{}'", given.on.name, config_.bodies[b].name)});
+             another(fmt::format("given temperature of '{}' on body '{}'", given.on.name, config_.bodies[b].name))});
     });
+  }
+
+  void tell_of_films_in_contact() const {
+    for (const config::HeatFilm& film : heat_.films)
+      for (const config::Contact& contact : config_.contacts)
+        if (std::ranges::any_of(contact.between, [&](const auto& side) { return side.name == film.on.name; }))
+          log::info("heat: the film on '{}' acts where contact '{}' is closed, too", film.on.name, contact.name);
+  }
+
+  void warn_of_twice_given() const {
+    for (std::size_t i = 0; i < all_.given.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const heat::GivenTemperature &later = all_.given[i], &earlier = all_.given[j];
+        if (later.body != earlier.body) continue;
+        const std::set<std::int64_t> nodes(earlier.nodes.begin(), earlier.nodes.end());
+        for (const std::int64_t node : later.nodes) {
+          if (!nodes.contains(node)) continue;
+          const Vector3& x = meshes_[later.body].nodes[static_cast<std::size_t>(node)];
+          const Arguments at{.x = x[0], .y = x[1], .z = x[2]};
+          const double one = earlier.value(at), other = later.value(at);
+          if (one == other) continue;
+          log::warning("heat: at ({:.6g}, {:.6g}, {:.6g}) the {} is {:.6g}, and the {} is {:.6g}: the last one counts",
+                       x[0], x[1], x[2], earlier.name, one, later.name, other);
+          break;
+        }
+      }
   }
 
   void add_point_flows() {
     for_entries(heat_.point_flows, "point_flows", [&](const config::HeatPointFlow& flow) {
-      heat::PointFlow made{{}, flow.value, fmt::format("flow into the nodes of '{}'", flow.on.name)};
+      heat::PointFlow made{{}, flow.value, another(fmt::format("flow into the nodes of '{}'", flow.on.name))};
       for (const std::size_t b : bodies_on(flow.on, flow.body, -1))
         for (const std::int64_t node : mesh::group_nodes(meshes_[b], flow.on.name)) made.nodes.push_back({b, node});
       all_.point_flows.push_back(std::move(made));
@@ -226,6 +276,9 @@ class HeatProblem {
     const auto [low, high] = std::ranges::minmax(start);
     Interval range{low, high};
     const auto add = [&](double value) {
+      if (heat_.absolute_zero && value < *heat_.absolute_zero)
+        throw ModelError(
+            fmt::format("a temperature of {:.6g} is given, below absolute_zero = {:.6g}", value, *heat_.absolute_zero));
       if (std::isfinite(value)) range = {std::min(range.low, value), std::max(range.high, value)};
     };
     std::vector<const Function*> given;
@@ -325,6 +378,7 @@ class HeatProblem {
   const mesh::Mesh& whole_;
   const BodyMeshes& meshes_;
   heat::Definition all_;
+  std::map<std::string, int> names_;  // how often given
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -11,9 +12,25 @@ namespace creepcontact::model {
 namespace {
 
 constexpr std::size_t max_places = 1000;       // of a function: a step looks at three of them
+constexpr std::size_t heat_places = 5;         // of a body
 constexpr std::size_t max_point_places = 100;  // where each needs its own weights of the points of a temperature field
 
 }  // namespace
+
+std::vector<CoursesInTime> heat_courses(const config::Config& config, const std::vector<Vector3>& places, double T) {
+  std::vector<CoursesInTime> result;
+  for (const config::ConfiguredFunction& function : config::functions(config)) {
+    if (!function.acts_by_temperature_alone() || !function.value.depends_on_time()) continue;
+    CoursesInTime& made = result.emplace_back(CoursesInTime{.key = function.key, .at_places = {}});
+    for (const Vector3& x : places) {
+      made.at_places.emplace_back([value = function.value, x, T](double t) {
+        return value({.x = x[0], .y = x[1], .z = x[2], .t = t, .T = T});
+      });
+      if (!function.value.depends_on_position()) break;
+    }
+  }
+  return result;
+}
 
 std::vector<CoursesInTime> courses_in_time(const config::Config& config, const Model& model) {
   KeyPlaces key_places(config, model.bodies());
@@ -32,6 +49,14 @@ std::vector<CoursesInTime> courses_in_time(const config::Config& config, const M
       const Place& place = (*places)[i * places->size() / n];
       made.at_places.push_back(courses.at(place, courses.levels(place)[i % n_levels]));
     }
+  }
+  if (config.has_coupled_heat()) {
+    std::vector<Vector3> places;
+    for (const mechanics::Body& body : model.bodies())
+      for (std::size_t i = 0; i < heat_places; ++i)
+        places.push_back(body.mesh().nodes[i * (body.mesh().n_cell_nodes() - 1) / (heat_places - 1)]);
+    const std::vector<double>& start = model.assembly.heat()->start;
+    std::ranges::move(heat_courses(config, places, start.empty() ? 0 : start.front()), std::back_inserter(result));
   }
   return result;
 }

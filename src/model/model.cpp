@@ -92,7 +92,7 @@ Model build_model(const config::Config& given) {
       cut[b] = mesh::extract(whole, regions);
       cut[b].mesh.section.project_distorted = config.mesh.project_distorted;
       cut[b].mesh.section.thickness = config.bodies[b].thickness.value_or(config.mesh.thickness);
-      if (!config.mesh.allow_locking) refuse_locking(config.bodies[b].name, cut[b].mesh);
+      if (!config.mesh.allow_locking && !config.is_heat_alone()) refuse_locking(config.bodies[b].name, cut[b].mesh);
     });
   errors.raise();  // what follows looks for groups on the bodies
   BodyMeshes meshes;

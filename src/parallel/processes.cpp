@@ -87,7 +87,7 @@ bool Processes::share(const std::string& command) {
   if (command == "study")
     throw ConfigError(
         "creepcontact-mpi makes no studies, whose runs are processes of their own; use creepcontact study");
-  return command == "run";
+  return command == "run" || command == "heat";
 }
 
 int Processes::threads(int cores) {

@@ -82,8 +82,15 @@ SurfaceHeat::SurfaceHeat(const creep::Assembly& assembly, const std::string& gro
   });
   split(all.given, given_parts_, [&](heat::GivenTemperature& given) {
     heat::GivenTemperature inside = given;
-    std::erase_if(inside.nodes, [&](std::int64_t node) { return !nodes[given.body].contains(node); });
-    std::erase_if(given.nodes, [&](std::int64_t node) { return nodes[given.body].contains(node); });
+    // A surface next to one whose temperature is given shares an edge with it: what its nodes need is not the
+    // surface's.
+    const std::set<std::int64_t> held(given.nodes.begin(), given.nodes.end());
+    std::set<std::int64_t> whole;
+    for (const FaceNodes& face : faces[given.body])
+      if (std::ranges::all_of(face, [&](std::int64_t node) { return held.contains(node); }))
+        whole.insert(face.begin(), face.end());
+    std::erase_if(inside.nodes, [&](std::int64_t node) { return !whole.contains(node); });
+    std::erase_if(given.nodes, [&](std::int64_t node) { return whole.contains(node); });
     return inside;
   });
   split(all.point_flows, point_parts_, [&](heat::PointFlow& flow) {

@@ -15,6 +15,7 @@ namespace creepcontact::run {
 
 config::Config with_what_is_computed(config::Config config) {
   if (!config.is_heat_alone()) return config;
+  config.time.cycle.reset();  // of creep, life and loads
   const std::vector<config::Probe>& probes = config.probes;
   std::vector<char> is_known;
   is_known.reserve(probes.size());

@@ -13,18 +13,21 @@ namespace creepcontact::run {
 io::Summary::Heat recorded(const heat::Definition& definition, const heat::Balance& balance, double scale) {
   constexpr double rounding = 1e-12;
   io::Summary::Heat heat;
-  const auto without_rounding = [&](double flow) { return std::abs(flow) <= rounding * scale ? 0 : flow; };
   const auto take = [&](const auto& named, const std::vector<double>& values,
                         std::vector<std::pair<std::string, double>>& into) {
-    for (std::size_t i = 0; i < values.size(); ++i) into.emplace_back(named[i].name, without_rounding(values[i]));
+    for (std::size_t i = 0; i < values.size(); ++i) into.emplace_back(named[i].name, values[i]);
   };
   take(definition.flows, balance.flows, heat.flows);
   take(definition.sources, balance.sources, heat.flows);
   take(definition.point_flows, balance.points, heat.flows);
   take(definition.given, balance.given, heat.flows);
   take(definition.interfaces, balance.interfaces, heat.contacts);
-  heat.stored = without_rounding(balance.stored);
-  heat.rest = heat.largest() > 0 ? balance.rest() : 0;
+  heat.stored = balance.stored;
+  heat.rest = balance.rest();
+  if (heat.largest() > rounding * scale) return heat;
+  for (auto* all : {&heat.flows, &heat.contacts})
+    for (auto& [name, flow] : *all) flow = 0;
+  heat.stored = heat.rest = 0;
   return heat;
 }
 

@@ -11,7 +11,7 @@
 
 namespace creepcontact::run {
 
-/// @param scale  heat::Conduction::flow_scale(); flows that are rounding become zero
+/// @param scale  heat::Conduction::flow_scale(); where nothing but rounding flows, all is zero
 io::Summary::Heat recorded(const heat::Definition& definition, const heat::Balance& balance, double scale);
 /// The heat that flows in a state.
 io::Summary::Heat recorded(results::HeatFlows& flows, results::Snapshot& snapshot);

@@ -8,8 +8,122 @@ import shutil
 import unittest
 
 from process_case import ProcessTest
+from test_signals import read_rows
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+SLAB_GEO = """
+Point(1) = {0, 0, 0};
+l[] = Extrude{0, 0.01, 0}{Point{1}; Layers{1};};
+s[] = Extrude{0, 0, 0.01}{Curve{l[1]}; Layers{1}; Recombine;};
+v[] = Extrude{0.03, 0, 0}{Surface{s[1]}; Layers{8}; Recombine;};
+Physical Volume("slab") = {v[1]}; Physical Surface("left") = {s[1]}; Physical Surface("right") = {v[0]};
+Physical Surface("side") = {v[2]};
+"""
+# Time in hours.
+SLAB = """[mesh]
+file = "slab.geo"
+order = 2
+[bodies.slab]
+region = "slab"
+material = "m"
+[materials.m]
+conductivity = 40
+heat_capacity = 500
+density = 8000
+[heat]
+start = 50
+time_unit = 3600
+%s
+[time]
+end = 20
+output = [10]
+[output]
+fields = false
+[[probes]]
+name = "left"
+quantity = "temperature"
+on = "left"
+[[probes]]
+name = "right"
+quantity = "temperature"
+on = "right"
+[[probes]]
+name = "side_flow"
+quantity = "heat_flow"
+on = "side"
+"""
+
+
+class HeatOfASlab(ProcessTest):
+    def heat(self, flows, *more, program="heat"):
+        self.write("slab.geo", SLAB_GEO)
+        self.write("slab.toml", SLAB % flows)
+        run = self.call(program, "slab.toml", "--output", "out", *more)
+        if run.returncode != 0:
+            return run, {}, {}
+        rows = read_rows(self.directory / "out/history.csv")
+        return run, {float(row["time"]): row for row in rows}, json.loads((self.directory / "out/summary.json").read_text())
+
+    def test_a_smooth_pulse_is_seen(self):
+        steady = (550 - 50) / (1 / 1000 + 0.03 / 40 + 1 / 200)  # the slab follows within a minute
+        for film in ('coefficient = 1000, fluid = "50 + 500*exp(-(t - 10)^2)"',
+                     'coefficient = "1000*exp(-(t - 10)^2)", fluid = 550'):
+            _, rows, _ = self.heat('films = [{ on = "left", %s }, { on = "right", coefficient = 200, fluid = 50 }]' % film)
+            self.assertAlmostEqual(float(rows[10]["left"]), 550 - steady / 1000, delta=1)
+            self.assertAlmostEqual(float(rows[20]["left"]), 50, delta=0.1)
+
+    def test_where_nothing_holds_it_heat_accumulates(self):
+        rise = 3600 * 1000 / (500 * 8000 * 0.03)
+        _, rows, summary = self.heat('fluxes = [{ on = "left", value = 1000 }]', "--set", "time.end=1", "--set", "time.output=[]")
+        # The profile of a constant flux is q L/k (1/3 at the heated side, -1/6 at the other).
+        self.assertAlmostEqual(float(rows[1]["left"]), 50 + rise + 1000 * 0.03 / 40 / 3, delta=1e-3)
+        self.assertAlmostEqual(float(rows[1]["right"]), 50 + rise - 1000 * 0.03 / 40 / 6, delta=1e-3)
+        self.assertAlmostEqual(summary["heat"]["stored"], 1000 * 1e-4, delta=1e-8)
+        _, rows, _ = self.heat('films = [{ on = "left", coefficient = 1000, fluid = 50 }]')
+        self.assertAlmostEqual(float(rows[20]["left"]), 50, delta=1e-6)
+
+    def test_flows_of_one_surface_have_their_own_names(self):
+        _, _, summary = self.heat('films = [{ on = "left", coefficient = 1000, fluid = 60 }, '
+                                  '{ on = "left", coefficient = 100, fluid = 20 }]')
+        flows = summary["heat"]["flows"]
+        self.assertEqual(len(flows), 2)
+        self.assertAlmostEqual(sum(flows.values()), 0, delta=1e-6 * max(flows.values()))
+
+    def test_a_surface_beside_a_given_temperature_has_only_its_own_flow(self):
+        _, rows, summary = self.heat('films = [{ on = "side", coefficient = 50, fluid = 20 }]\n'
+                                     'temperatures = [{ on = "left", value = 100 }]')
+        (film,) = (flow for name, flow in summary["heat"]["flows"].items() if "film" in name)
+        self.assertAlmostEqual(float(rows[20]["side_flow"]), -film, delta=1e-9)
+
+    def test_impossible_values_are_named(self):
+        for flows, *facts in (
+            ('films = [{ on = "left", coefficient = "0 - 5 + 0*T", fluid = 20 }]', "film on 'left' of body 'slab'", "-5"),
+            ('films = [{ on = "left", coefficient = "(t - 1)^0.5", fluid = 20 }]', "film on 'left'", "nan", "t = 0"),
+            ('stefan_boltzmann = 5.67e-8\nabsolute_zero = -273.15\n'
+             'radiation = [{ on = "left", emissivity = 0.8, ambient = -300 }]', "-300", "absolute_zero"),
+            ('stefan_boltzmann = 5.67e-8\nabsolute_zero = -273.15\n'
+             'radiation = [{ on = "left", emissivity = "2 + 0*T", ambient = 20 }]', "radiation on 'left'", "emissivities"),
+        ):
+            run, _, _ = self.heat(flows)
+            self.assertNotEqual(run.returncode, 0)
+            self.assertSays(run.stderr, *facts)
+        run, _, _ = self.heat('temperatures = [{ on = "left", value = 300 }, { on = "left", value = 100 }]')
+        self.assertSays(run.stderr, "warning", "300", "100", "the last one counts")
+
+    def test_what_concerns_creep_alone_does_not_concern_heat(self):
+        films = 'films = [{ on = "left", coefficient = 1000, fluid = 60 }]'
+        run, _, _ = self.heat(films, "--set", "time.cycle=5")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.write("slab.geo", SLAB_GEO)
+        self.write("slab.toml", SLAB.replace("order = 2", "order = 1") % films)
+        for more in (("Recombine;", ""),):
+            self.write("slab.geo", SLAB_GEO.replace(*more))
+        creeping = [f"materials.m.{key}" for key in ("young_modulus=2e5", "poisson_ratio=0.3",
+                                                      'creep=[{ law = "norton", A = 1e-20, n = 5 }]')]
+        run = self.call("heat", "slab.toml", "--output", "out2", *(word for one in creeping for word in ("--set", one)))
+        self.assertEqual(run.returncode, 0, run.stderr)
 
 
 class Heat(ProcessTest):
@@ -38,6 +152,18 @@ class Heat(ProcessTest):
                      "missing in the sum", "element Biot number", "What heats and cools", "film, coefficient 5",
                      "3*(p/50)^0.95", "How long a change of temperature takes"):
             self.assertIn(text, page)
+
+    def test_a_cold_joint_without_stress_starts(self):
+        self.copied("configs/shrink_fit_heat.toml", "configs/shrink_fit_heat.geo")
+        run = self.call("run", "shrink_fit_heat.toml", "--output", "out", "--set", "contacts[0].gap=0", "--set", "time.end=100",
+                        "--set", "time.output=[]")
+        self.assertEqual(run.returncode, 0, run.stderr)
+
+    def test_a_negative_conductance_is_named(self):
+        self.copied("docs/tutorial_heat/hot_fit.toml", "docs/tutorial_heat/hot_fit.geo")
+        run = self.call("heat", "hot_fit.toml", "--set", 'contacts[0].conductance="1 - t/1000"', "--output", "out")
+        self.assertNotEqual(run.returncode, 0)
+        self.assertSays(run.stderr, "contact 'fit'", "the conductance is -", "not negative")
 
     def test_check_has_the_steady_state_of_the_end(self):
         self.copied("docs/tutorial_heat/hot_fit.toml", "docs/tutorial_heat/hot_fit.geo")

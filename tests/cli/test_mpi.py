@@ -68,6 +68,13 @@ class MpiResults(MpiTest):
             with self.subTest(integrator):
                 self.expect_equal_runs("shrink_fit", (2,), f"time.integrator={integrator}", "time.end=1e4")
 
+    def test_heat_alone(self):
+        for n, output in ((0, "serial"), (2, "spread")):
+            done = self.done(n, "heat", ROOT / "docs" / "tutorial_heat" / "hot_fit.toml", "--quiet", "--output", output, "--set",
+                             "time.end=12", "--set", "time.output=[]")
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.expect_the_same(self.directory / "serial", self.directory / "spread")
+
     def test_processes_without_elements(self):
         self.expect_equal_runs("pressed_blocks", (1, 4), "time.integrator=cvode_bdf", "time.end=10")
         self.expect_equal_runs("pressed_blocks", (3,), "time.integrator=beta_euler", "time.end=10")

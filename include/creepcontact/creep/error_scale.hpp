@@ -61,7 +61,7 @@ class ErrorScale {
   const Assembly& assembly_;
   StateLayout layout_;
   double least_ = 0;
-  std::vector<double> strain_;                               // per body
+  std::vector<double> strain_, thermal_stress_;              // per body; the stress is the least that counts
   std::vector<double> gasket_strain_, least_gasket_strain_;  // per pair
   /// A state variable that counts life.
   struct Life {

@@ -1,6 +1,7 @@
 #pragma once
 /// Temperatures over the time of a run, as cubic polynomials between some times.
 
+#include <functional>
 #include <vector>
 
 #include "creepcontact/heat/conduction.hpp"
@@ -20,6 +21,9 @@ struct HistoryOptions {
   double end = 0;
   std::vector<double> kinks;  ///< of the functions of t, within (0, end), increasing
   double tolerance = 0;       ///< of temperatures
+  /// Where a step from `from` to `to` must end, so that it sees what functions of t do within it; empty: anywhere. They
+  /// are smooth within the segment, whose ends are excluded.
+  std::function<double(double from, double to, double begin_of_segment, double end_of_segment)> end_of_step = {};
 };
 
 /// From temperatures at t = 0 on. Stores as few of the steps as reproduce all of them within a third of the tolerance.

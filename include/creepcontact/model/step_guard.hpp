@@ -26,6 +26,9 @@ struct CoursesInTime {
 /// The courses of all functions of the configuration that depend on time, or on a temperature that does.
 std::vector<CoursesInTime> courses_in_time(const config::Config& config, const Model& model);
 
+/// Those of the functions that act by the temperature alone. @param places  where they are looked at @param T  at which
+std::vector<CoursesInTime> heat_courses(const config::Config& config, const std::vector<Vector3>& places, double T);
+
 /// Immutable: what it answers depends on the arguments alone.
 class StepGuard {
  public:

@@ -35,6 +35,8 @@ class ImplicitIntegrator {
 
   /// Starts, or starts again, without regard to earlier steps. Precondition: F(t, y, rate) = 0, about
   void start(double t, std::span<const double> y, std::span<const double> rate);
+  /// Length of the next step, which may turn out shorter; 0: not chosen yet.
+  double next_step() const;
   /// One step, which ends at `end` or before. @throws SolverError if the integration fails
   void step(double end);
 

@@ -149,6 +149,12 @@ void ImplicitIntegrator::step(double end) {
   if (flag < 0) throw SolverError(fmt::format("the integration stopped at t = {:.6g}: {}", ida.time, ida.said));
 }
 
+double ImplicitIntegrator::next_step() const {
+  double step = 0;
+  if (n_steps() > 0) require_success(IDAGetCurrentStep(ida_->memory.get(), &step), "IDAGetCurrentStep");
+  return step;
+}
+
 double ImplicitIntegrator::time() const {
   return ida_->time;
 }

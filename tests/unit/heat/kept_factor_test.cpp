@@ -43,6 +43,23 @@ TEST(KeptFactor, IsNotTakenForNearWhereItIsFar) {
   }
 }
 
+/// What is left of a factorisation that failed is no factor.
+TEST(KeptFactor, GoesOnAfterASingularMatrix) {
+  constexpr int n = 20;
+  KeptFactor factor;
+  linalg::SparseMatrix singular = bar(0, n);
+  singular.coeffRef(0, 0) -= 1;  // without the film
+  const linalg::SparseMatrix regular = bar(10, n);
+  factor.set(singular);
+  EXPECT_THROW(factor.factorize(), linalg::SingularMatrix);
+  factor.set(regular);
+  std::vector<double> x(n, 1.0);
+  factor.solve(x, {1e-8, 1e3});
+  const Eigen::VectorXd exact =
+      Eigen::SimplicialLDLT<linalg::SparseMatrix, Eigen::Lower>(regular).solve(Eigen::VectorXd::Ones(n));
+  for (int i = 0; i < n; ++i) EXPECT_NEAR(x[static_cast<std::size_t>(i)], exact[i], 1e-6 * exact[i]);
+}
+
 }  // namespace
 }  // namespace kept_factor_tests
 }  // namespace creepcontact::heat
