@@ -168,6 +168,9 @@ double CreepSystem::rate_change(double from, std::span<const double> y, double t
         points.rate(laws_.state(b, at, at.y), laws_.layout().part(b, std::span(rate)), {});
       });
       gaskets_->rate(at.equilibrium, at.y, rate);
+      if (heat_)
+        heat_->rates().rate(at.time, laws_.layout().temperatures(std::span(at.y)),
+                            joint_values(assembly(), at.equilibrium), laws_.layout().temperatures(std::span(rate)));
     });
     return rate;
   };

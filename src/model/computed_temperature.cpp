@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -26,6 +27,7 @@ namespace {
 constexpr double same_node = 1e-9;  // of the size of the model
 constexpr int range_samples = 64;   // of functions in time
 constexpr std::size_t course_places = 5;
+constexpr std::size_t most_turns = 1000;  // of a function, at each of which a step ends
 constexpr double linear_pressure = 1e-7;  // of Young's modulus: at most where conductances are made linear
 constexpr double steep = 1e-6;            // of that pressure: where an infinite slope shows
 constexpr double too_steep = 1.5;
@@ -76,7 +78,8 @@ class HeatProblem {
     const bool is_coupled = config_.has_coupled_heat();
     const bool is_steady = !heat_.start && !config::heat_changes_in_time(config_) && !is_coupled;
     const double end = is_steady ? 0 : config_.time.end;
-    const std::vector<double> smooth_between = kinks(end);
+    const Stops stops = find_stops(end);
+    const std::vector<double>& smooth_between = stops.kinks;
     std::string fingerprint;
     if (heat_.keep && !is_coupled) {
       fingerprint = heat_fingerprint(problem.definition(),
@@ -101,7 +104,13 @@ class HeatProblem {
     const Interval range = range_of_temperatures(problem, start);
     if (is_coupled) {
       heat::History at_start = heat::integrate(problem, start, {});
-      at_start.kinks = kinks(end);
+      at_start.kinks = sorted(
+          [&] {
+            std::vector<double> all = stops.kinks;
+            all.insert(all.end(), stops.turns.begin(), stops.turns.end());
+            return all;
+          }(),
+          end);
       log::info("heat: {} temperatures are part of the state, since conductances depend on contact{}", problem.size(),
                 heat_.keep ? "; 'keep' has no temperatures to keep" : "");
       return {field(problem, at_start, true),
@@ -114,14 +123,8 @@ class HeatProblem {
               std::move(of_problem)};
     }
     const double allowed = heat_.tolerance * size_of(range);
-    const StepGuard guard(heat_courses(config_, some_places(), guess()), end, heat_.tolerance);
-    const heat::History history = heat::integrate(
-        problem, start, {end, smooth_between, allowed, [&](double from, double to, double begin, double last) {
-                           for (std::size_t i = 0; i < guard.courses().size(); ++i)
-                             if (const auto found = guard.examine(i, from, to, {begin, last}))
-                               to = std::min(to, found->time);
-                           return to;
-                         }});
+    const heat::History history =
+        heat::integrate(problem, start, {end, smooth_between, allowed, end_of_step(stops, end)});
     tell(problem, history);
     if (heat_.keep) write_kept(*heat_.keep, fingerprint, history);
     return {field(problem, history, false), creep::HeatModel{.definition = problem.definition(), .is_steady = end == 0},
@@ -302,28 +305,59 @@ class HeatProblem {
     return range;
   }
 
-  std::vector<double> kinks(double end) const {
-    std::vector<double> times = config_.time.breakpoints;
+  /// What steps must not pass.
+  struct Stops {
+    std::vector<double> kinks;  ///< with jumps: the integration starts again there
+    std::vector<double> turns;  ///< ascending
+    StepLimits limits;          ///< where functions vibrate
+  };
+
+  Stops find_stops(double end) const {
+    Stops stops{config_.time.breakpoints, {}, {}};
+    std::vector<StepLimit> limits;
     const double T = guess();
     for (const config::ConfiguredFunction& function : config::functions(config_)) {
-      if (!function.acts_by_temperature_alone() || !function.value.depends_on_time()) continue;
+      if (!function.acts_by_temperature_alone() || !function.value.depends_on_time() || !(end > 0)) continue;
       if (function.value.table_range("t")) {
-        std::ranges::copy(function.value.breakpoints(end), std::back_inserter(times));
+        std::ranges::copy(function.value.breakpoints(end), std::back_inserter(stops.kinks));
         continue;
       }
       for (const Vector3& x : some_places()) {
         const CourseEvents events =
             find_events([&](double t) { return function.value({.x = x[0], .y = x[1], .z = x[2], .t = t, .T = T}); },
                         end, config_.time.cycle, {});
-        for (const auto* found : {&events.jumps, &events.kinks}) std::ranges::copy(*found, std::back_inserter(times));
+        for (const auto* found : {&events.jumps, &events.kinks})
+          std::ranges::copy(*found, std::back_inserter(stops.kinks));
+        if (events.vibrates || events.turns.size() > most_turns)
+          std::ranges::copy(events.limits, std::back_inserter(limits));
+        else
+          for (const Turn& turn : events.turns) stops.turns.push_back(turn.time);
         if (!function.value.depends_on_position()) break;
       }
     }
+    return {sorted(std::move(stops.kinks), end), sorted(std::move(stops.turns), end), StepLimits(limits)};
+  }
+
+  /// Those within the run, each once.
+  static std::vector<double> sorted(std::vector<double> times, double end) {
     std::ranges::sort(times);
     std::vector<double> result;
     for (const double t : times)
       if (t > 0 && t < end && (result.empty() || t > result.back() * (1 + 1e-11))) result.push_back(t);
     return result;
+  }
+
+  /// See heat::HistoryOptions: at turns, and before what the guard of steps finds in functions of t.
+  std::function<double(double, double, double, double)> end_of_step(const Stops& stops, double end) const {
+    return [&stops, guard = StepGuard(heat_courses(config_, some_places(), guess()), end, heat_.tolerance)](
+               double from, double to, double begin, double last) {
+      if (const auto turn = std::ranges::upper_bound(stops.turns, from); turn != stops.turns.end())
+        to = std::min(to, *turn);
+      to = std::min(to, stops.limits.latest_end(from));
+      for (std::size_t i = 0; i < guard.courses().size(); ++i)
+        if (const auto found = guard.examine(i, from, to, {begin, last})) to = std::min(to, found->time);
+      return to;
+    };
   }
 
   void tell(const heat::Conduction& problem, const heat::History& history) const {

@@ -74,6 +74,13 @@ class HeatOfASlab(ProcessTest):
             self.assertAlmostEqual(float(rows[10]["left"]), 550 - steady / 1000, delta=1)
             self.assertAlmostEqual(float(rows[20]["left"]), 50, delta=0.1)
 
+    def test_a_pulse_that_is_short_against_the_run_is_seen(self):
+        pulse = "exp(-((t - 5000)/30)^2)"
+        _, rows, _ = self.heat(f'films = [{{ on = "left", coefficient = 1000, fluid = "50 + 500*{pulse}" }}, '
+                               '{ on = "right", coefficient = 200, fluid = 50 }]',
+                               "--set", "time.end=1e4", "--set", "time.output=[5000]")
+        self.assertAlmostEqual(float(rows[5000]["left"]), 475.926, delta=0.1)
+
     def test_where_nothing_holds_it_heat_accumulates(self):
         rise = 3600 * 1000 / (500 * 8000 * 0.03)
         _, rows, summary = self.heat('fluxes = [{ on = "left", value = 1000 }]', "--set", "time.end=1", "--set", "time.output=[]")
@@ -158,6 +165,18 @@ class Heat(ProcessTest):
         run = self.call("run", "shrink_fit_heat.toml", "--output", "out", "--set", "contacts[0].gap=0", "--set", "time.end=100",
                         "--set", "time.output=[]")
         self.assertEqual(run.returncode, 0, run.stderr)
+
+    def test_a_pulse_is_seen_where_the_temperature_is_part_of_the_state(self):
+        self.copied("configs/shrink_fit_heat.toml", "configs/shrink_fit_heat.geo")
+        fluid = '"min(20 + 107.5*t, 450) - 300*exp(-((t - 5000)/30)^2)"'
+        rows = {}
+        for tolerance in ("1e-3", "1e-5"):
+            run = self.call("run", "shrink_fit_heat.toml", "--output", tolerance, "--set", f"heat.films[0].fluid={fluid}", "--set",
+                            "time.end=1e4", "--set", "time.output=[5000]", "--set", f"time.tolerance={tolerance}")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            rows[tolerance] = read_rows(self.directory / tolerance / "history.csv")[1]
+        self.assertLess(rows["1e-5"]["inner_temperature"], 300)
+        self.assertAlmostEqual(rows["1e-3"]["inner_temperature"], rows["1e-5"]["inner_temperature"], delta=0.5)
 
     def test_a_negative_conductance_is_named(self):
         self.copied("docs/tutorial_heat/hot_fit.toml", "docs/tutorial_heat/hot_fit.geo")
