@@ -27,7 +27,7 @@ namespace {
 constexpr double same_node = 1e-9;  // of the size of the model
 constexpr int range_samples = 64;   // of functions in time
 constexpr std::size_t course_places = 5;
-constexpr std::size_t most_turns = 1000;  // of a function, at each of which a step ends
+constexpr std::size_t most_stops = 1000;  // of a function, at each of which a step ends
 constexpr double linear_pressure = 1e-7;  // of Young's modulus: at most where conductances are made linear
 constexpr double steep = 1e-6;            // of that pressure: where an infinite slope shows
 constexpr double too_steep = 1.5;
@@ -328,7 +328,7 @@ class HeatProblem {
                         end, config_.time.cycle, {});
         for (const auto* found : {&events.jumps, &events.kinks})
           std::ranges::copy(*found, std::back_inserter(stops.kinks));
-        if (events.vibrates || events.turns.size() > most_turns)
+        if (events.vibrates || events.turns.size() > most_stops)
           std::ranges::copy(events.limits, std::back_inserter(limits));
         else
           for (const Turn& turn : events.turns) stops.turns.push_back(turn.time);
