@@ -38,7 +38,7 @@ class KeptFactor {
   const linalg::SparseMatrix* matrix_ = nullptr;
   std::unique_ptr<linalg::StiffnessSolver> solver_;
   bool has_factor_ = false, is_exact_ = false;  // the factor is that of the matrix
-  double spent_ = 0;       // passes more than with an exact factor, since the last factorisation
+  double spent_ = 0;                            // passes more than with an exact factor, since the last factorisation
   std::size_t n_factorizations_ = 0, n_passes_ = 0;
 };
 

@@ -61,7 +61,7 @@ class RangeMonitor {
   std::map<std::string, std::vector<StressRange>> stresses_;
   std::map<std::string, double> curves_;  // plastic strain at which its table ends, not warned of yet
   bool changes_in_time_ = false;
-  double temperature_error_;  // of a computed temperature, of the range of a table
+  double temperature_error_;    // of a computed temperature, of the range of a table
   std::optional<double> time_;  // of the last call
 };
 
