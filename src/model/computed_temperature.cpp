@@ -104,13 +104,9 @@ class HeatProblem {
     const Interval range = range_of_temperatures(problem, start);
     if (is_coupled) {
       heat::History at_start = heat::integrate(problem, start, {});
-      at_start.kinks = sorted(
-          [&] {
-            std::vector<double> all = stops.kinks;
-            all.insert(all.end(), stops.turns.begin(), stops.turns.end());
-            return all;
-          }(),
-          end);
+      at_start.kinks = stops.kinks;
+      at_start.kinks.insert(at_start.kinks.end(), stops.turns.begin(), stops.turns.end());
+      at_start.kinks = sorted(std::move(at_start.kinks), end);
       log::info("heat: {} temperatures are part of the state, since conductances depend on contact{}", problem.size(),
                 heat_.keep ? "; 'keep' has no temperatures to keep" : "");
       return {field(problem, at_start, true),

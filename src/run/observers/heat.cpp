@@ -30,8 +30,7 @@ class HeatObserver final : public Observer {
       lost_.push_back({pairs_[p].name, loss->time, loss->since, loss->force});
       log::warning(
           "heat: contact '{}' loses the last {:.2g} % of its largest normal force between t = {:.6g} and {:.6g}, at "
-          "the "
-          "speed of heat: pressure, conductance and temperature of the joint have no steady state with contact any "
+          "the speed of heat: pressure, conductance and temperature of the joint have no steady state with contact any "
           "more",
           pairs_[p].name, 100 * loss->share, loss->since, loss->time);
     }
