@@ -122,11 +122,21 @@ std::vector<double> Function::breakpoints() const {
 std::vector<double> Function::breakpoints(double end) const {
   return definition_->breakpoints(end);
 }
+std::optional<double> Function::period() const {
+  return definition_->period();
+}
 std::optional<Interval> Function::table_range(const std::string& variable) const {
   return definition_->table_range(variable);
 }
 const std::string& Function::text() const {
   return definition_->text;
+}
+
+std::string texts(const std::vector<Function>& functions) {
+  std::vector<std::string> all;
+  all.reserve(functions.size());
+  for (const Function& function : functions) all.push_back(function.text());
+  return fmt::format("{}", fmt::join(all, ", "));
 }
 
 }  // namespace creepcontact

@@ -54,6 +54,7 @@ class Table final : public Function::Definition {
     return points;
   }
 
+  std::optional<double> period() const override { return period_; }
   std::optional<Interval> table_range(const std::string& variable) const override {
     if (variable != variable_) return std::nullopt;
     return Interval{abscissae_.front(), abscissae_.back()};

@@ -129,12 +129,14 @@ void check_reference_temperature(const Config& config, const Item& root, Diagnos
                "'reference_temperature' is missing: the temperature at which the thermal strain is zero is not known",
                "with reference_temperature, often the temperature of assembly");
   }
-  for (const Gasket& gasket : config.gaskets)
-    if (!gasket.thermal_expansion.is_zero() && !gasket.reference_temperature)
+  for (const Gasket& gasket : config.gaskets) {
+    const Item table = root.child("gaskets").child(gasket.name);
+    if (!gasket.thermal_expansion.is_zero() && !gasket.reference_temperature && !table.has("reference_temperature"))
       errors.add(
-          root.child("gaskets").child(gasket.name).child("thermal_expansion").location,
+          table.child("thermal_expansion").location,
           "'reference_temperature' is missing: the temperature at which the gasket has its thickness is not known",
           "with reference_temperature, often the temperature of assembly");
+  }
 }
 
 /// What [heat] needs of materials and contacts.
@@ -163,22 +165,24 @@ void check_heat(const Config& config, const Item& root, Diagnostics& errors) {
     if (std::ranges::none_of(config.bodies, [&](const Body& body) { return body.material.name == material.name; }))
       continue;
     const Item own = root.child("materials").child(material.name);
-    if (material.conductivity.empty())
+    if (material.conductivity.empty() && !own.has("conductivity"))
       errors.add(own.location, "has no 'conductivity'", "with conductivity, which [heat] needs");
-    if (material.heat_capacity && !material.density)
+    if (material.heat_capacity && !material.density && !own.has("density"))
       errors.add(own.child("heat_capacity").location, "without 'density'", "with density, mass per volume");
     if (own.has("units") && own.has("conductivity"))
       errors.add(own.child("units").location, "heat data are not converted",
                  "conductivity, heat_capacity and density of materials without 'units'");
-    if (!material.heat_capacity && !is_steady)
+    if (!material.heat_capacity && !own.has("heat_capacity") && !is_steady)
       errors.add(own.location, "has no 'heat_capacity'",
                  "with heat_capacity and density, or heat.start = \"steady\" and nothing that changes in time");
   }
-  if (!is_steady && !heat.time_unit)
+  if (!is_steady && !heat.time_unit && !table.has("time_unit"))
     errors.add(table.location, "'time_unit' is missing: how many units of time of the heat data one unit of t is",
                "3600 if t is in hours and the data are per second, 1 if both are the same");
-  for (const Contact& contact : config.contacts)
-    if (contact.type == ContactType::unilateral && contact.conductance.kind == Conductance::Kind::not_given)
+  for (std::size_t i = 0; i < config.contacts.size(); ++i)
+    if (const Contact& contact = config.contacts[i]; contact.type == ContactType::unilateral &&
+                                                     contact.conductance.kind == Conductance::Kind::not_given &&
+                                                     !root.child("contacts").element(i).has("conductance"))
       errors.add(contact.location, "has no 'conductance'",
                  "a number or a function, \"perfect\" or \"insulated\": what is perfect where closed and insulated "
                  "where open may have no solution");

@@ -177,7 +177,8 @@ Value<Heat> heat_table() {
       field<HeatKeys>("alone", &HeatKeys::alone, boolean(), "computes the temperature alone, without any mechanics")
           .otherwise("true if no material has elastic constants"),
       field<HeatKeys>("tolerance", &HeatKeys::tolerance, number({.min = 1e-9, .max = 0.1}),
-                      "error of temperatures, relative to the range of those given"),
+                      "error of temperatures, relative to the range of those given")
+          .changeable(),
       field<HeatKeys>("refactor_change", &HeatKeys::refactor_change, number({.min = 0, .max = 0.5}),
                       "relative change of the stiffness with temperature above which it is factorised again; affects "
                       "the run time, not the results")

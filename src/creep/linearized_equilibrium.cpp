@@ -63,7 +63,7 @@ Eigen::VectorXd EquilibriumSolver::linearized_elastic(const Equilibrium& at, Cre
     }
   }
   ClosedRows rows{interface_,
-                  [&](const Eigen::VectorXd& gap) { return contact_change(at.contact, gap); },
+                  [&](const Eigen::VectorXd& of_gap) { return contact_change(at.contact, of_gap); },
                   interface_.rows().creep_gaps(creep_change.closures()),
                   {}};
   Eigen::VectorXd multiplier;

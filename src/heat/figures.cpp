@@ -103,6 +103,46 @@ std::vector<HeatingThrough> heating_through(const Definition& definition, std::s
   return result;
 }
 
+/// Of a temperature that acts at a place, where the body has that of the arguments.
+Jumps jumps_of(const Function& temperature, Arguments at, double end) {
+  Jumps result;
+  at.t = 0;
+  result.first = std::abs(temperature(at) - at.T);
+  for (int k = 0; k <= samples; ++k) {
+    at.t = end * k / samples;
+    result.range = std::max(result.range, std::abs(temperature(at) - at.T));
+  }
+  for (const double t : temperature.breakpoints(end)) {
+    at.t = std::nextafter(t, 0);
+    const double before = temperature(at);
+    at.t = t;
+    result.later = std::max(result.later, std::abs(temperature(at) - before));
+    result.range = std::max(result.range, std::abs(temperature(at) - at.T));
+  }
+  return result;
+}
+
+void add(const Jumps& jumps, Jumps& largest) {
+  largest.first = std::max(largest.first, jumps.first);
+  largest.later = std::max(largest.later, jumps.later);
+  largest.range = std::max(largest.range, jumps.range);
+}
+
+std::vector<GivenFigures> given_figures(const Definition& definition, std::span<const double> start, double end) {
+  std::vector<GivenFigures> result;
+  for (std::size_t i = 0; i < definition.given.size(); ++i) {
+    const GivenTemperature& given = definition.given[i];
+    GivenFigures& one = result.emplace_back(GivenFigures{.given = i});
+    const std::size_t every =
+        given.value.depends_on_position() ? 1 + given.nodes.size() / some_faces : given.nodes.size();
+    for (std::size_t n = 0; n < given.nodes.size(); n += every) {
+      const Vector3& x = definition.bodies[given.body].mesh->nodes[static_cast<std::size_t>(given.nodes[n])];
+      add(jumps_of(given.value, {.x = x[0], .y = x[1], .z = x[2], .T = start[given.body]}, end), one.jumps);
+    }
+  }
+  return result;
+}
+
 std::vector<FilmFigures> film_figures(const Definition& definition, std::span<const double> start, double end) {
   std::vector<FilmFigures> result;
   for (std::size_t i = 0; i < definition.flows.size(); ++i) {
@@ -121,22 +161,25 @@ std::vector<FilmFigures> film_figures(const Definition& definition, std::span<co
                             sizes.begin() + static_cast<std::ptrdiff_t>(std::min(f + every, sizes.size())));
       const Vector3& x = body.mesh->nodes[static_cast<std::size_t>(flow.faces[f].nodes.front())];
       Arguments at{.x = x[0], .y = x[1], .z = x[2], .T = T};
-      if (flow.factor(at) > 0) one.first_jump = std::max(one.first_jump, std::abs(flow.beyond(at) - T));
+      Jumps jumps = jumps_of(flow.beyond, at, end);
+      if (!(flow.factor(at) > 0)) jumps.first = 0;
+      for (const double t : flow.factor.breakpoints(end)) {
+        at.t = std::nextafter(t, 0);
+        const double before = flow.factor(at);
+        at.t = t;
+        const double after = flow.factor(at);
+        if (after > before)
+          jumps.later = std::max(jumps.later, (1 - before / after) * std::abs(flow.beyond(at) - at.T));
+      }
+      add(jumps, one.jumps);
       for (int k = 0; k <= samples; ++k) {
         at.t = end * k / samples;
-        one.range = std::max(one.range, std::abs(flow.beyond(at) - T));
         const double h = flow.factor(at);
         one.coefficient = std::max(one.coefficient, h);
         if (const double biot = h * size / conductivity; biot > one.biot) {
           one.biot = biot;
           one.element_size = size;
         }
-      }
-      for (const double t : flow.beyond.breakpoints(end)) {
-        Arguments before = at;
-        at.t = t;
-        before.t = std::nextafter(t, 0);
-        one.later_jump = std::max(one.later_jump, std::abs(flow.beyond(at) - flow.beyond(before)));
       }
     }
     result.push_back(one);
@@ -147,7 +190,8 @@ std::vector<FilmFigures> film_figures(const Definition& definition, std::span<co
 }  // namespace
 
 Figures figures(const Definition& definition, std::span<const double> start, double end) {
-  return {heating_through(definition, start), film_figures(definition, start, end)};
+  return {heating_through(definition, start), film_figures(definition, start, end),
+          given_figures(definition, start, end)};
 }
 
 }  // namespace creepcontact::heat

@@ -13,6 +13,9 @@ namespace {
 constexpr double for_steps = 0.5,
                  for_output = 0.3;  // of the tolerance: for the root mean square, and the largest error
 
+constexpr double for_repetition = 0.1;  // of the tolerance: what is left of a start that is not periodic
+constexpr double same_boundary = 1e-9;  // of a period
+
 constexpr double first_step = 1e-3;  // of what is left: at most what IDA begins with
 
 struct Node {
@@ -79,6 +82,63 @@ class Segment {
   std::vector<Node> kept_, waiting_;
 };
 
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+/// The ends of periods within a run, and whether temperatures have become periodic there.
+class Periods {
+ public:
+  explicit Periods(const HistoryOptions& options) : allowed_(for_repetition * options.tolerance), end_(options.end) {
+    if (options.repeats) all_ = *options.repeats;
+  }
+
+  /// The kinks with the ends of periods, as far as these are no kinks.
+  std::vector<double> with_ends(const std::vector<double>& kinks) {
+    std::vector<double> all = kinks;
+    if (!(all_.period > 0)) return all;
+    const double close = same_boundary * all_.period;
+    for (double k = 0, t = all_.from; t < end_ - close; t = all_.from + ++k * all_.period) {
+      if (!(t > close)) continue;
+      const auto near = std::ranges::lower_bound(kinks, t - close);
+      const bool is_kink = near != kinks.end() && *near <= t + close;
+      ends_.push_back(is_kink ? *near : t);
+      if (!is_kink) all.push_back(t);
+    }
+    std::ranges::sort(all);
+    return all;
+  }
+
+  /// Where given temperatures jump within the period, nothing is known to repeat: the moment of a jump is rounded.
+  bool are_reached(double t, const std::vector<double>& y, History& history) {
+    if (!std::ranges::binary_search(ends_, t)) return false;
+    const double change = before_.empty() ? std::numeric_limits<double>::infinity() : largest_difference(before_, y);
+    const double ratio = change / last_change_;  // of a series that is geometric in the end
+    const double left =
+        ratio < 1 ? change * std::max(1.0, ratio / (1 - ratio)) : std::numeric_limits<double>::infinity();
+    const bool reached = change == 0 || left <= allowed_;
+    last_change_ = change;
+    if (!reached) {
+      before_ = y;
+      return false;
+    }
+    const auto first = std::ranges::lower_bound(history.times, t - 1.5 * all_.period);
+    for (auto at = first; at + 1 < history.times.end(); ++at)
+      if (at[1] == std::nextafter(at[0], at[1])) return false;
+    history.values.back() = before_;
+    history.period = all_.period;
+    return true;
+  }
+
+ private:
+  double allowed_, end_;
+  Repeats all_ = {};
+  std::vector<double> ends_, before_;
+  double last_change_ = std::numeric_limits<double>::infinity();
+};
+
 }  // namespace
 
 History integrate(Conduction& problem, std::vector<double> start, const HistoryOptions& options) {
@@ -90,7 +150,9 @@ History integrate(Conduction& problem, std::vector<double> start, const HistoryO
     return result;
   }
   ode::ImplicitIntegrator integrator(problem, for_steps * options.tolerance);
-  std::vector<double> ends = options.kinks;
+  result.kinks = options.kinks;
+  Periods periods(options);
+  std::vector<double> ends = periods.with_ends(options.kinks);
   ends.push_back(options.end);
   std::vector<double> y = std::move(start), rate(y.size());
   double t = 0;
@@ -118,8 +180,8 @@ History integrate(Conduction& problem, std::vector<double> start, const HistoryO
     segment.finish();
     result.n_steps += integrator.n_steps();
     y.assign(integrator.state().begin(), integrator.state().end());
-    if (end < options.end) result.kinks.push_back(end);
     t = end;
+    if (periods.are_reached(t, y, result)) break;
   }
   return result;
 }

@@ -91,7 +91,13 @@ struct Scattered {
 
   /// Where among the points a place is.
   Vector3 place(const Vector3& position) const { return given.axis ? given.axis->in_section(position) : position; }
-  Moment at(double t) const { return moment(given.times, given.period && t >= 0 ? std::fmod(t, *given.period) : t); }
+  Moment at(double t) const { return moment(given.times, tabulated(t)); }
+  /// The time in the table that a time of the run is like.
+  double tabulated(double t) const {
+    const double last = given.times.back();
+    if (given.last_period && t > last) return t - std::ceil((t - last) / *given.last_period) * *given.last_period;
+    return given.period && t >= 0 ? std::fmod(t, *given.period) : t;
+  }
   bool is_cubic() const { return !given.rates_after.empty(); }
   /// Makes the weight of the later value that of the cubic polynomial (Hermite).
   RateWeights make_cubic(Moment& at) const {
@@ -174,6 +180,7 @@ struct OfPoints final : TemperatureField::Definition {
     for (const auto* all : {&kept.values, &kept.rates_before, &kept.rates_after})
       for (const std::vector<double>& values : *all) sum.add(values.data(), values.size());
     text = fmt::format("{} points at {} times, checksum {:016x}", kept.points.size(), kept.times.size(), sum.value());
+    if (kept.last_period) text += fmt::format(", the last {:.17g} of them repeated", *kept.last_period);
     if (kept.period) text += fmt::format(", period {}", *kept.period);
     if (kept.node_tolerance) text += ", those of nodes interpolated by elements";
     if (kept.axis)

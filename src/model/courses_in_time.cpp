@@ -6,13 +6,13 @@
 
 #include "creepcontact/model/step_guard.hpp"
 #include "function_courses.hpp"
+#include "heat_stops.hpp"
 #include "places.hpp"
 
 namespace creepcontact::model {
 namespace {
 
 constexpr std::size_t max_places = 1000;       // of a function: a step looks at three of them
-constexpr std::size_t heat_places = 5;         // of a body
 constexpr std::size_t max_point_places = 100;  // where each needs its own weights of the points of a temperature field
 
 }  // namespace
@@ -53,8 +53,7 @@ std::vector<CoursesInTime> courses_in_time(const config::Config& config, const M
   if (config.has_coupled_heat()) {
     std::vector<Vector3> places;
     for (const mechanics::Body& body : model.bodies())
-      for (std::size_t i = 0; i < heat_places; ++i)
-        places.push_back(body.mesh().nodes[i * (body.mesh().n_cell_nodes() - 1) / (heat_places - 1)]);
+      std::ranges::copy(some_places(body.mesh()), std::back_inserter(places));
     const std::vector<double>& start = model.assembly.heat()->start;
     std::ranges::move(heat_courses(config, places, start.empty() ? 0 : start.front()), std::back_inserter(result));
   }

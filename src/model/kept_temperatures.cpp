@@ -1,7 +1,6 @@
 #include "kept_temperatures.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -29,13 +28,6 @@ class HeatLines {
   std::string text;
 };
 
-std::string text_of(const std::vector<Function>& functions) {
-  std::vector<std::string> texts;
-  texts.reserve(functions.size());
-  for (const Function& one : functions) texts.push_back(one.text());
-  return fmt::format("{}", fmt::join(texts, "; "));
-}
-
 void add_body(const heat::Conductor& body, HeatLines& lines) {
   Checksum sum;
   for (const Vector3& node : body.mesh->nodes) sum.add(node.data(), 3);
@@ -47,10 +39,10 @@ void add_body(const heat::Conductor& body, HeatLines& lines) {
   lines.add("mesh " + of, sum);
   const mesh::Section& section = body.mesh->section;
   lines.add("section " + of, fmt::format("{} {:.17g}", static_cast<int>(section.analysis), section.thickness));
-  lines.add("conductivity " + of, text_of(body.conductivity));
+  lines.add("conductivity " + of, texts(body.conductivity));
   if (body.axes)
     for (const auto& [axis, functions] : {std::pair{"axis 1 ", body.axes->first}, {"axis 2 ", body.axes->second}})
-      lines.add(axis + of, text_of({functions.begin(), functions.end()}));
+      lines.add(axis + of, texts({functions.begin(), functions.end()}));
   lines.add("heat capacity " + of, body.capacity.text());
   lines.add("density " + of, fmt::format("{:.17g}", body.density));
 }
@@ -103,9 +95,9 @@ std::string difference(const std::string& before, const std::string& now) {
 
 using Arrays = std::vector<std::vector<double>>;
 
-/// Times, kinks, and at each time the values and the rates before and after it.
+/// Times, kinks, number of steps and period, and at each time the values and the rates before and after it.
 Arrays arrays_of(const heat::History& history) {
-  Arrays result{history.times, history.kinks, {static_cast<double>(history.n_steps)}};
+  Arrays result{history.times, history.kinks, {static_cast<double>(history.n_steps), history.period.value_or(0)}};
   for (const auto* all : {&history.values, &history.rates_before, &history.rates_after})
     result.insert(result.end(), all->begin(), all->end());
   return result;
@@ -116,15 +108,18 @@ heat::History history_of(Arrays arrays, std::size_t n_unknowns) {
   const auto require = [](bool holds) {
     if (!holds) throw ConfigError("its arrays are not those of temperatures");
   };
-  require(arrays.size() >= first && arrays[2].size() == 1);
+  require(arrays.size() >= first && arrays[2].size() == 2);
   heat::History result;
   result.times = std::move(arrays[0]);
   result.kinks = std::move(arrays[1]);
   result.n_steps = static_cast<long>(arrays[2][0]);
+  if (const double period = arrays[2][1]; period > 0) result.period = period;
   const std::size_t n = result.times.size();
   require(n > 0 && result.times.front() == 0 && arrays.size() == first + 3 * n);
   require(std::ranges::adjacent_find(result.times, std::greater_equal<>()) == result.times.end());
-  require(std::ranges::all_of(result.kinks, [&](double t) { return std::ranges::binary_search(result.times, t); }));
+  require(std::ranges::all_of(result.kinks, [&](double t) {
+    return t > result.times.back() ? result.period.has_value() : std::ranges::binary_search(result.times, t);
+  }));
   std::size_t next = first;
   for (auto* all : {&result.values, &result.rates_before, &result.rates_after})
     for (std::size_t k = 0; k < n; ++k, ++next) {

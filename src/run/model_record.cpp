@@ -89,12 +89,6 @@ class Recorder {
     }
   }
 
-  static std::string functions_text(const std::vector<Function>& all) {
-    std::vector<std::string> texts;
-    for (const Function& one : all) texts.push_back(one.text());
-    return fmt::format("{}", fmt::join(texts, ", "));
-  }
-
   static std::string conductance_text(const config::Conductance& conductance) {
     using Kind = config::Conductance::Kind;
     return conductance.kind == Kind::function    ? conductance.value.text()
@@ -137,7 +131,7 @@ class Recorder {
     }
     if (!given.conductivity.empty())
       elastic.rows.push_back({given.conductivity.size() == 1 ? "conductivity" : "conductivity along axes 1, 2, 3",
-                              functions_text(given.conductivity), "unit of the heat data"});
+                              texts(given.conductivity), "unit of the heat data"});
     if (given.heat_capacity)
       elastic.rows.push_back({"heat capacity", given.heat_capacity->text(), "unit of the heat data"});
     if (given.density) elastic.rows.push_back({"density", fmt::format("{:.6g}", *given.density), ""});
@@ -304,11 +298,8 @@ class Recorder {
                             {}};
     for (const config::CreepParameter& parameter : mechanism.parameters) {
       if (!parameter.given) continue;
-      std::vector<std::string> values;
-      for (const Function& value : parameter.values)
-        values.push_back(parameter.word.empty() ? value.text() : parameter.word);
       const auto known = std::ranges::find(info->parameters, parameter.key, &material::ParameterInfo::key);
-      table.rows.push_back({parameter.key, fmt::format("{}", fmt::join(values, ", ")),
+      table.rows.push_back({parameter.key, parameter.word.empty() ? texts(parameter.values) : parameter.word,
                             known == info->parameters.end() ? "" : known->description});
     }
     return table;

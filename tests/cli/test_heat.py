@@ -119,6 +119,49 @@ class HeatOfASlab(ProcessTest):
         run, _, _ = self.heat('temperatures = [{ on = "left", value = 300 }, { on = "left", value = 100 }]')
         self.assertSays(run.stderr, "warning", "300", "100", "the last one counts")
 
+    def test_a_wrong_value_of_a_required_key_is_one_error(self):
+        for key, value in (("materials.m.conductivity", '"4*"'), ("materials.m.heat_capacity", "-1"),
+                           ("materials.m.density", '"a"'), ("heat.time_unit", "0")):
+            run, _, _ = self.heat('films = [{ on = "left", coefficient = 1000, fluid = 60 }]', "--set", f"{key}={value}")
+            self.assertEqual(run.returncode, 2)
+            self.assertEqual(run.stderr.count("error:"), 1, run.stderr)
+            self.assertSays(run.stderr, key)
+
+    def test_jumps_that_elements_do_not_follow_are_told(self):
+        for flows, *facts in (
+            ('temperatures = [{ on = "left", value = 100 }]', "given temperature of 'left'", "jumps by 50", "undershoot"),
+            ('films = [{ on = "left", coefficient = { t = [0, 10, 10, 20], values = [0, 0, 9e4, 9e4] }, fluid = 60 }]',
+             "film on 'left'", "element Biot number 8.4", "jumps by 10", "coefficient"),
+        ):
+            run, _, _ = self.heat(flows)
+            self.assertSays(run.stderr, *facts)
+        run, _, _ = self.heat('temperatures = [{ on = "left", value = { t = [0, 5], values = [50, 100] } }]')
+        self.assertNotIn("warning", run.stderr)
+
+    def test_units_that_no_solid_has_are_told(self):
+        film = 'films = [{ on = "left", coefficient = 1000, fluid = 60 }]'
+        units = 'units="m, N, Pa, h, degC"'
+        run, _, _ = self.heat(film, "--set", units)
+        self.assertNotIn("diffusivity of body", run.stderr)
+        for wrong in ("heat.time_unit=1", 'units="mm, N, MPa, h, degC"', "materials.m.density=8e-6"):
+            run, _, _ = self.heat(film, "--set", units, "--set", wrong)
+            self.assertSays(run.stderr, "the diffusivity of body 'slab'", "m^2/s", "heat.time_unit")
+
+    def test_days_that_are_alike_are_not_all_integrated(self):
+        times = ("--set", "time.end=2000", "--set", "time.output=[486, 990, 1999]")
+        course = "{ t = [0, 2, 8, 10], values = [50, 550, 550, 50], period = 24 }"
+        day = f'films = [{{ on = "left", coefficient = 5, fluid = {course} }}]'
+        run, rows, _ = self.heat(day, *times)
+        self.assertSays(run.stdout + run.stderr, "they repeat every 24")
+        # That the last day differs does not change those before it.
+        other = day.replace("= 5,", '= "t > 1990 ? 6 : 5",')
+        run, expected, _ = self.heat(other, *times)
+        self.assertNotIn("they repeat", run.stdout + run.stderr)
+        for t in (486, 990):
+            for side in ("left", "right"):
+                self.assertAlmostEqual(float(rows[t][side]), float(expected[t][side]), delta=0.1)
+        self.assertGreater(abs(float(rows[1999]["left"]) - float(expected[1999]["left"])), 1)
+
     def test_what_concerns_creep_alone_does_not_concern_heat(self):
         films = 'films = [{ on = "left", coefficient = 1000, fluid = 60 }]'
         run, _, _ = self.heat(films, "--set", "time.cycle=5")
@@ -175,6 +218,14 @@ class Heat(ProcessTest):
             rows[tolerance] = read_rows(self.directory / tolerance / "history.csv")[1]
         self.assertLess(rows["1e-5"]["inner_temperature"], 300)
         self.assertAlmostEqual(rows["1e-3"]["inner_temperature"], rows["1e-5"]["inner_temperature"], delta=0.5)
+
+    def test_a_run_goes_on_with_another_tolerance_of_the_heat(self):
+        self.copied("docs/tutorial_heat/hot_fit.toml", "docs/tutorial_heat/hot_fit.geo")
+        first = self.call("run", "hot_fit.toml", "--output", "out", "--set", "time.end=10", "--set", "time.output=[]")
+        self.assertEqual(first.returncode, 0, first.stderr)
+        again = self.call("run", "hot_fit.toml", "--output", "out", "--resume", "--set", "time.end=20", "--set", "time.output=[]",
+                          "--set", "heat.tolerance=3e-5")
+        self.assertEqual(again.returncode, 0, again.stderr)
 
     def test_a_negative_conductance_is_named(self):
         self.copied("docs/tutorial_heat/hot_fit.toml", "docs/tutorial_heat/hot_fit.geo")

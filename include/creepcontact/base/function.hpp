@@ -75,6 +75,8 @@ class Function {
   std::vector<double> breakpoints() const;
   /// Likewise, with all repetitions of a periodic table up to `end`.
   std::vector<double> breakpoints(double end) const;
+  /// Of a periodic table in t; nullopt for other functions.
+  std::optional<double> period() const;
   /// First and last abscissa of a table in this variable; nullopt for other functions.
   std::optional<Interval> table_range(const std::string& variable) const;
   /// The text given by the user. Functions with equal texts are equal.
@@ -86,5 +88,8 @@ class Function {
   explicit Function(std::shared_ptr<const Definition> definition) : definition_(std::move(definition)) {}
   std::shared_ptr<const Definition> definition_;
 };
+
+/// Their texts, separated by commas; equal for equal functions.
+std::string texts(const std::vector<Function>& functions);
 
 }  // namespace creepcontact

@@ -16,20 +16,31 @@ struct HeatingThrough {
   double time = 0;   ///< of the run: depth squared over the diffusivity
 };
 
+/// Of a temperature that acts on a body.
+struct Jumps {
+  double first = 0;  ///< against the body, at the start
+  double later = 0;  ///< the largest one of a table in t
+  double range = 0;  ///< against the body, at any time
+};
+
 /// How fine the elements at a film are.
 struct FilmFigures {
   std::size_t flow = 0;     ///< of Definition::flows
   double coefficient = 0;   ///< the largest one
   double element_size = 0;  ///< from the surface inwards, where the Biot number is largest
   double biot = 0;          ///< of the elements: coefficient times their size over the conductivity
-  double first_jump = 0;    ///< of the fluid against the body, at the start
-  double later_jump = 0;    ///< of the fluid, the largest one
-  double range = 0;         ///< of the temperatures of fluid and start
+  Jumps jumps = {};         ///< of the fluid; where the coefficient jumps, of that with as much heat
+};
+
+struct GivenFigures {
+  std::size_t given = 0;  ///< of Definition::given
+  Jumps jumps = {};
 };
 
 struct Figures {
   std::vector<HeatingThrough> bodies;
   std::vector<FilmFigures> films;
+  std::vector<GivenFigures> given;
 };
 
 /// @param start  temperatures by body, at which properties are taken @param end  of the run

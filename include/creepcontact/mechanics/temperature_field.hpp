@@ -32,6 +32,7 @@ struct ScatteredTemperatures {
   /// after a time. Then the field is smooth but for the kinks, some of the times.
   std::vector<std::vector<double>> rates_before = {}, rates_after = {};
   std::vector<double> kinks = {};
+  std::optional<double> last_period = {};  ///< given: beyond the last time, the course of this time before it repeats
   bool is_of_state = false;  ///< these are the values at the start; the later ones are given to Body::update()
   /// The value at t is that at t modulo the period. Times then lie in [0, period], the first at 0
   /// (Function::period_error); where the values at both ends differ, there is a jump at each period.

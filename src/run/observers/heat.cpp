@@ -27,7 +27,7 @@ class HeatObserver final : public Observer {
       const double force = results::normal_force(pairs_[p], view.evaluation().equilibrium.contact.multiplier);
       const auto loss = losses_[p].observe(view.time(), force);
       if (!loss) continue;
-      lost_.push_back({pairs_[p].name, loss->time, loss->since, loss->force});
+      lost_.push_back({p, *loss});
       log::warning(
           "heat: contact '{}' loses the last {:.2g} % of its largest normal force between t = {:.6g} and {:.6g}, at "
           "the speed of heat: pressure, conductance and temperature of the joint have no steady state with contact any "
@@ -48,35 +48,33 @@ class HeatObserver final : public Observer {
     summary.results.heat = heat_;
     if (!summary.results.heat) return;
     summary.results.heat->loop_gain = largest_gain_;
-    summary.results.heat->sudden_losses = lost_;
+    for (const auto& [pair, loss] : lost_)
+      summary.results.heat->sudden_losses.push_back({pairs_[pair].name, loss.time, loss.since, loss.force});
   }
   void save(creep::Memory& memory) const override {
     if (largest_gain_) memory["heat.loop_gain"] = {largest_gain_->value, largest_gain_->time};
-    for (std::size_t p = 0; p < losses_.size(); ++p) {
-      losses_[p].save(force_name(p), memory);
-      std::vector<double> lost;
-      for (const Loss& loss : lost_)
-        if (loss.contact == pairs_[p].name) lost.insert(lost.end(), {loss.time, loss.since, loss.force});
-      if (!lost.empty()) memory[loss_name(p)] = std::move(lost);
-    }
+    if (losses_.empty()) return;
+    std::vector<SuddenLoss::Past> pasts;
+    for (const SuddenLoss& loss : losses_) pasts.push_back(loss.past());
+    memory.save("heat.joints", pasts);
+    memory.save("heat.lost", lost_);
   }
   void restore(const creep::Memory& memory) override {
     if (const auto gain = memory.find("heat.loop_gain"); gain != memory.end() && gain->second.size() == 2)
       largest_gain_ = {gain->second[0], gain->second[1]};
-    for (std::size_t p = 0; p < losses_.size(); ++p) {
-      losses_[p].restore(force_name(p), memory);
-      const auto lost = memory.find(loss_name(p));
-      if (lost == memory.end()) continue;
-      for (std::size_t i = 0; i + 2 < lost->second.size(); i += 3)
-        lost_.push_back({pairs_[p].name, lost->second[i], lost->second[i + 1], lost->second[i + 2]});
-    }
+    if (losses_.empty()) return;
+    std::vector<SuddenLoss::Past> pasts;
+    memory.restore("heat.joints", pasts);
+    for (std::size_t p = 0; p < losses_.size(); ++p) losses_[p].go_on_from(std::move(pasts.at(p)));
+    memory.restore("heat.lost", lost_);
   }
 
  private:
-  using Loss = io::Summary::Heat::SuddenLoss;
-
-  static std::string force_name(std::size_t pair) { return fmt::format("heat.forces.{}", pair); }
-  static std::string loss_name(std::size_t pair) { return fmt::format("heat.lost.{}", pair); }
+  struct Lost {
+    std::size_t pair = 0;
+    SuddenLoss::Loss loss = {};
+    static constexpr auto members = std::tuple{Member{"pair", &Lost::pair}, Member{"loss", &Lost::loss}};
+  };
 
   void watch_gain(StepView& view) {
     const std::optional<double> gain = view.system().loop_gain(view.time(), view.y());
@@ -91,7 +89,7 @@ class HeatObserver final : public Observer {
 
   const std::vector<contact::Pair>& pairs_;
   std::vector<SuddenLoss> losses_;  // by pair, if heat depends on contact
-  std::vector<Loss> lost_;
+  std::vector<Lost> lost_;
   std::optional<io::Summary::Heat> heat_;                // in process 0
   std::optional<io::Summary::Heat::Gain> largest_gain_;  // at the output times
 };

@@ -1,8 +1,9 @@
 #pragma once
 /// Contacts that lose their pressure at the speed of heat, as an unstable joint does, and not at that of creep.
 
-#include <deque>
 #include <optional>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "creepcontact/base/memory.hpp"
@@ -17,6 +18,8 @@ class SuddenLoss {
     double force = 0;  ///< that was left before
     double share = 0;  ///< of the largest force
     double since = 0;  ///< the last time with half of it
+    static constexpr auto members = std::tuple{Member{"time", &Loss::time}, Member{"force", &Loss::force},
+                                               Member{"share", &Loss::share}, Member{"since", &Loss::since}};
   };
 
   /// @param heating_time  in which heat comes through the bodies @param load_changes  times, ascending: what is lost
@@ -26,19 +29,25 @@ class SuddenLoss {
   /// Times come in ascending order. @returns the loss, if the contact is lost now
   std::optional<Loss> observe(double time, double force);
 
-  void save(const std::string& name, Memory& memory) const;
-  void restore(const std::string& name, const Memory& memory);
+  /// What the next steps need to know of those before.
+  struct Past {
+    struct Entry {
+      double time = 0, force = 0;
+      static constexpr auto members = std::tuple{Member{"time", &Entry::time}, Member{"force", &Entry::force}};
+    };
+    std::vector<Entry> entries;  ///< those of the last two windows, and one before
+    double largest = 0;
+    static constexpr auto members = std::tuple{Member{"entries", &Past::entries}, Member{"largest", &Past::largest}};
+  };
+  const Past& past() const { return past_; }
+  void go_on_from(Past past) { past_ = std::move(past); }
 
  private:
-  struct Entry {
-    double time = 0, force = 0;
-  };
   double force_at(double time) const;
 
   double window_;
   std::vector<double> load_changes_;
-  std::deque<Entry> entries_;  // those of the last two windows, and one before
-  double largest_ = 0;
+  Past past_;
 };
 
 }  // namespace creepcontact::run

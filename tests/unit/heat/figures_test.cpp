@@ -61,8 +61,8 @@ TEST(HeatFigures, FindTheLargestCoefficientAndTheJumpsOfTheFluid) {
   const Figures figures_of_film = figures(all, std::vector<double>{20.0}, 1);
   const FilmFigures& film = figures_of_film.films[0];
   EXPECT_NEAR(film.coefficient, 1 + 1.5 * 1.5, 1e-3) << "half way through the run, at the nodes in the middle";
-  EXPECT_NEAR(film.first_jump, 70, 1e-12);
-  EXPECT_EQ(film.later_jump, 0);
+  EXPECT_NEAR(film.jumps.first, 70, 1e-12);
+  EXPECT_EQ(film.jumps.later, 0);
 }
 
 }  // namespace

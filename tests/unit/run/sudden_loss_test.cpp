@@ -40,9 +40,11 @@ TEST(SuddenLoss, IsFoundAfterARestart) {
   for (int k = 0; k <= 1000; ++k) before.observe(k, 10);
   before.observe(1000.2, 6);
   Memory memory;
-  before.save("heat.forces.fit", memory);
+  memory.save("fit", before.past());
+  SuddenLoss::Past past;
+  memory.restore("fit", past);
   SuddenLoss after(heating, {});
-  after.restore("heat.forces.fit", memory);
+  after.go_on_from(past);
   const auto loss = after.observe(1000.3, 0);
   ASSERT_TRUE(loss);
   EXPECT_EQ(loss->share, 1);
