@@ -26,6 +26,7 @@ int study(const Command& self, const Arguments& arguments);
 int plot(const Command& self, const Arguments& arguments);
 int report(const Command& self, const Arguments& arguments);
 int picture(const Command& self, const Arguments& arguments);
+int faces(const Command& self, const Arguments& arguments);
 int new_model(const Command& self, const Arguments& arguments);
 int import(const Command& self, const Arguments& arguments);
 int fit(const Command& self, const Arguments& arguments);

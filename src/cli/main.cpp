@@ -38,6 +38,8 @@ const std::vector<Command>& commands() {
       {"report", "DIR... [options]",
        "Writes a report on a run, or on several in comparison, as one HTML file that needs no network.", report},
       {"picture", "DIR [options]", "Draws a field of a run as a PNG picture (needs VTK for Python).", picture},
+      {"faces", "FILE [options]",
+       "Lists the faces of a CAD model or a mesh and which of them are next to each other; proposes contacts.", faces},
       {"new", "DIR --template NAME", "Writes a commented configuration and its geometry to begin with.", new_model,
        "`creepcontact list templates` shows the templates.\n"},
       {"import", "DECK.inp [options]", "Makes a configuration and its mesh of a deck of CalculiX or Abaqus.", import},

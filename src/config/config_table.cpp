@@ -43,6 +43,9 @@ Value<Config> config_table(const Vocabulary& vocabulary) {
                     "what the mesh is: the `solid` itself, or a section in the plane z = 0 (axisymmetric: x is the "
                     "radius, y the axis)"),
       field<Config>("mesh", &Config::mesh, mesh_table(), "the mesh of all bodies", Presence::required),
+      field<Config>("surfaces", &Config::surfaces, named(surface_table()),
+                    "names for faces of the mesh or the CAD model, next to its physical surfaces")
+          .changeable(),
       field<Config>("bodies", &Config::bodies, named(body_table()), "the bodies; all results list them in this order",
                     Presence::required),
       field<Config>("materials", &Config::materials, named(material_table(vocabulary)), "the materials",
@@ -63,6 +66,8 @@ Value<Config> config_table(const Vocabulary& vocabulary) {
       field<Config>("cyclic", &Config::cyclic, tables(cyclic_table()),
                     "cyclic symmetry: the model is one of the sectors of a full circle"),
       field<Config>("rigid", &Config::rigid, tables(rigid_table()), "surfaces that move as rigid bodies"),
+      field<Config>("coupling", &Config::coupling, tables(coupling_table()),
+                    "surfaces whose mean motion follows a point"),
       field<Config>("equations", &Config::equations, tables(equation_table()),
                     "linear equations between displacements of nodes"),
       field<Config>("contact_solver", &Config::contact_solver, contact_solver_table(),

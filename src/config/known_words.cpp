@@ -28,7 +28,7 @@ constexpr std::array words{
     KnownWord{"", "cyclic_symmetry sector sectors periodic", "cyclic symmetry is 'cyclic'"},
     KnownWord{"", "equation constraints constraint mpc mpcs linear_constraints",
               "a linear equation between displacements is an entry of 'equations'"},
-    KnownWord{"", "rigid_bodies rigid_body rigid_surfaces coupling", "a surface that moves as a rigid body is 'rigid'"},
+    KnownWord{"", "rigid_bodies rigid_body rigid_surfaces", "a surface that moves as a rigid body is 'rigid'"},
     KnownWord{"", "event", "conditions on probes are 'events'"},
     KnownWord{"", "restart resume",
               "to continue from the last checkpoint, use the option --resume of creepcontact run"},
@@ -44,8 +44,8 @@ constexpr std::array words{
 
     KnownWord{"mesh", "analysis", "'analysis' is a key of the whole file: write it before the first table"},
     KnownWord{"mesh", "element_order degree", "the order of the elements is 'order'"},
-    KnownWord{"mesh", "size h element_size lc",
-              "element sizes are constants of the .geo file; set them by 'parameters'"},
+    KnownWord{"mesh", "h element_size lc",
+              "element sizes are 'size' for CAD files, and constants of a .geo file, which 'parameters' sets"},
     KnownWord{"bodies.<name>", "volume volumes physical elements group",
               "the physical volume of a body is its 'region'"},
 

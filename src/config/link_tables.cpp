@@ -24,6 +24,48 @@ Value<Components> components(const std::string& what, const std::string& unit) {
   }));
 }
 
+/// The components of displacement and rotation together.
+Value<Rigid> all_components() {
+  const Value<Function> value = function({"t"});
+  std::vector<Field<Rigid>> fields;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string axis(1, "xyz"[i]);
+    fields.push_back(field<Rigid>(
+                         axis, [i](auto& rigid) -> auto& { return rigid.displacement[i]; }, value,
+                         "displacement of the origin along " + axis)
+                         .in("length"));
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string axis(1, "xyz"[i]);
+    fields.push_back(field<Rigid>(
+        "r" + axis, [i](auto& rigid) -> auto& { return rigid.rotation[i]; }, value,
+        "small rotation in radians about " + axis));
+  }
+  return written_inline(table<Rigid>(fields));
+}
+
+/// Another way to write what other keys have, which a written file does without.
+Field<Rigid> only_read(Field<Rigid> key) {
+  key.visit = [](const Field<Rigid>&, const Rigid&, Visitor&) {};
+  return key;
+}
+
+/// Both in one table, which leaves the other keys alone.
+Field<Rigid> motion_field() {
+  const Value<Rigid> components = all_components();
+  Field<Rigid> made = only_read(field<Rigid>(
+                                    "motion", [](auto& rigid) -> auto& { return rigid; }, components,
+                                    "`displacement` (x, y, z) and `rotation` (rx, ry, rz) in one table")
+                                    .otherwise("those"));
+  made.read = [read = components.read](const Item& item, Context& context, Rigid& into) {
+    if (const std::optional<Rigid> found = read(item, context)) {
+      into.displacement = found->displacement;
+      into.rotation = found->rotation;
+    }
+  };
+  return made;
+}
+
 }  // namespace
 
 Value<Cyclic> cyclic_table() {
@@ -49,24 +91,34 @@ Value<Cyclic> cyclic_table() {
   });
 }
 
-Value<Rigid> rigid_table() {
+/// [[rigid]] and [[coupling]]. @param on  what the key `on` means
+Value<Rigid> motion_table(const std::string& on) {
   const Value<std::array<Function, 3>> vector = triple(function({"t"}));
   const auto keys = table<Rigid>({
-      field<Rigid>("on", &Rigid::on, reference("a physical surface, curve or point"),
-                   "group of one body that moves as a rigid body", Presence::required),
+      field<Rigid>("on", &Rigid::on, one_or_more("a physical surface, curve or point"), on, Presence::required),
       field<Rigid>("origin", &Rigid::origin, triple(number()),
                    "point that `displacement`, `force` and `moment` refer to")
           .in("length")
-          .otherwise("the mean position of its nodes"),
+          .otherwise("the mean position of the nodes"),
+      only_read(field<Rigid>("reference", &Rigid::origin, triple(number()), "another word for `origin`")
+                    .in("length")
+                    .otherwise("`origin`")),
       field<Rigid>("displacement", &Rigid::displacement, components("displacement of the origin along", "length"),
                    "prescribed displacement; components that are not given are free"),
       field<Rigid>("rotation", &Rigid::rotation, components("small rotation in radians about", ""),
                    "prescribed rotation; components that are not given are free"),
+      motion_field(),
       field<Rigid>("force", &Rigid::force, vector, "resultant force at the origin").in("force"),
       field<Rigid>("moment", &Rigid::moment, vector, "resultant moment about the origin"),
   });
   return converted<Rigid>(keys, [](Rigid found, const Item& item, Context& context) -> std::optional<Rigid> {
     found.location = item.location;
+    if (item.has("origin") && item.has("reference"))
+      context.errors.add(item.child("reference").location, "'origin' is given, too", "one of origin, reference");
+    for (const std::string& key : given_keys(item, {"displacement", "rotation"}))
+      if (item.has("motion"))
+        context.errors.add(item.child(key).location, "'motion' is given, too",
+                           "either motion, or displacement and rotation");
     for (std::size_t k = 0; k < 3; ++k) {
       const std::string axis(1, "xyz"[k]);
       if (found.displacement[k] && !found.force[k].is_zero())
@@ -78,6 +130,16 @@ Value<Rigid> rigid_table() {
     }
     return found;
   });
+}
+
+Value<Rigid> rigid_table() {
+  return motion_table("surfaces that move as one rigid body; they may be of several bodies");
+}
+
+Value<Rigid> coupling_table() {
+  return motion_table(
+      "surfaces whose mean motion, weighted by areas, follows the reference point: a force or a moment there is "
+      "distributed, and they deform freely");
 }
 
 Value<Equation> equation_table() {

@@ -36,7 +36,97 @@ Value<std::map<std::string, double>> numbers_by_name() {
   return value;
 }
 
+/// `face = 12` is `faces = [12]`, which a written file has.
+Field<Surface> only_with_one(const std::string& name, const std::string& description) {
+  const Value<std::vector<int>> one = converted<std::vector<int>>(
+      integer(1), [](int number, const Item&, Context&) { return std::optional(std::vector<int>{number}); },
+      [](const std::vector<int>&) { return 1; });
+  Field<Surface> made = field<Surface>(name, &Surface::faces, one, description).otherwise("see `faces`");
+  made.visit = [](const Field<Surface>&, const Surface&, Visitor&) {};
+  return made;
+}
+
+Value<MeshSize> mesh_size_table() {
+  const auto keys = table<MeshSize>({
+      field<MeshSize>("on", &MeshSize::on, reference("a surface"), "a surface of `[surfaces]`, or ..."),
+      field<MeshSize>("body", &MeshSize::body, reference("a body"), "... a body"),
+      field<MeshSize>("size", &MeshSize::size, number(greater(0)), "size of the elements there", Presence::required)
+          .in("length"),
+  });
+  return converted<MeshSize>(keys, [](MeshSize found, const Item& item, Context& context) {
+    if (found.on.given() == found.body.given())
+      context.errors.add(item.location, found.on.given() ? "both 'on' and 'body'" : "no place", "one of on, body");
+    return std::optional(std::move(found));
+  });
+}
+
+Value<MeshCut> mesh_cut_table() {
+  return table<MeshCut>({
+      field<MeshCut>("axis", &MeshCut::axis, choice<CutAxis>("axis"), "the plane is at right angles to this axis",
+                     Presence::required),
+      field<MeshCut>("keep", &MeshCut::keep, choice<KeptSide>("side"), "the side that stays", Presence::required),
+      field<MeshCut>("at", &MeshCut::at, number(), "coordinate of the plane").in("length"),
+  });
+}
+
+Value<std::array<std::array<double, 3>, 2>> box_value() {
+  using Box = std::array<std::array<double, 3>, 2>;
+  const Value<std::vector<std::array<double, 3>>> corners = list(triple(number()));
+  Value<Box> value = converted<Box>(
+      corners,
+      [](const std::vector<std::array<double, 3>>& found, const Item& item, Context& context) -> std::optional<Box> {
+        if (found.size() == 2) return Box{found[0], found[1]};
+        context.errors.add(item.location, fmt::format("{} points", found.size()), "[[x, y, z], [x, y, z]]");
+        return std::nullopt;
+      },
+      [](const Box& box) {
+        return std::vector<std::array<double, 3>>{box[0], box[1]};
+      });
+  value.type = "two corners, [[x, y, z], [x, y, z]]";
+  return value;
+}
+
+Value<SectionPlane> plane_of_faces() {
+  return written_inline(table<SectionPlane>({
+      field<SectionPlane>("origin", &SectionPlane::origin, triple(number()), "a point of the plane").in("length"),
+      field<SectionPlane>("normal", &SectionPlane::normal, triple(number()), "its normal, of any length",
+                          Presence::required),
+  }));
+}
+
 }  // namespace
+
+Value<Surface> surface_table() {
+  const std::vector<std::string> kinds{"plane", "cylinder", "cone", "sphere", "torus", "other"};
+  const auto keys = table<Surface>({
+      only_with_one("face", "number of the face, as `creepcontact faces` lists it"),
+      field<Surface>("faces", &Surface::faces, list(integer(1)), "numbers of several faces")
+          .otherwise("every face for which the other keys hold"),
+      field<Surface>("kind", &Surface::kind, choice("kind of face", kinds), "what the faces are").otherwise("any"),
+      field<Surface>("radius", &Surface::radius, number(greater(0)),
+                     "radius of cylinders, spheres, the largest of cones, that of the centre line of tori")
+          .in("length")
+          .otherwise("any"),
+      field<Surface>("touches", &Surface::touches, reference("a body"), "a body that the faces touch or nearly touch")
+          .otherwise("any, or none"),
+      field<Surface>("body", &Surface::body, reference("a body"), "the body that has the faces").otherwise("any"),
+      field<Surface>("box", &Surface::box, box_value(), "lowest and highest corner of a box in which faces lie")
+          .in("length")
+          .otherwise("anywhere"),
+      field<Surface>("plane", &Surface::plane, plane_of_faces(), "a plane in which faces lie").otherwise("any"),
+  });
+  return converted<Surface>(keys, [](Surface found, const Item& item, Context& context) -> std::optional<Surface> {
+    found.location = item.location;
+    if (item.has("face") && item.has("faces"))
+      context.errors.add(item.child("face").location, "'faces' is given, too", "one of face, faces");
+    if (given_keys(item, {"face", "faces", "kind", "radius", "touches", "body", "box", "plane"}).empty())
+      context.errors.add(item.location, "no faces are named",
+                         "at least one of face, faces, kind, radius, touches, body, box, plane");
+    if (found.plane && found.plane->normal == std::array<double, 3>{})
+      context.errors.add(item.child("plane").child("normal").location, "[0, 0, 0]", "a direction");
+    return found;
+  });
+}
 
 std::vector<std::string> given_keys(const Item& item, const std::vector<std::string>& keys) {
   std::vector<std::string> given;
@@ -50,12 +140,12 @@ Value<Mesh> mesh_table() {
   const auto shared = choice<SharedNodes>("treatment of shared nodes");
   const auto keys = table<Mesh>({
       field<Mesh>("file", &Mesh::file, path(),
-                  "`.geo` (meshed by the Gmsh library, in a separate process), `.msh` (2.2, 4.1; ASCII, binary), or "
-                  "`.unv`, `.bdf`, `.nas`",
+                  "geometry, meshed by the Gmsh library in a separate process: `.geo`, or CAD as `.step`, `.iges`, "
+                  "`.brep`; or a mesh: `.msh` (2.2, 4.1; ASCII, binary), `.unv`, `.bdf`, `.nas`",
                   Presence::required)
           .changeable(),
       field<Mesh>("order", &Mesh::order, integer(1, 2),
-                  "`.geo` only: order of the elements; 2 gives tet10, hex20, wedge15")
+                  "geometries only: order of the elements; 2 gives tet10, hex20, wedge15")
           .changeable(),
       field<Mesh>("parameters", &Mesh::parameters, numbers_by_name(),
                   "`.geo` only: values for constants defined with `DefineConstant`")
@@ -69,11 +159,11 @@ Value<Mesh> mesh_table() {
           "parallelepiped; `false`: plain reduced integration as in C3D20R of CalculiX and Abaqus, whose mean "
           "stress oscillates there under creep"),
       field<Mesh>("time_limit", &Mesh::time_limit, number(greater(0)),
-                  "`.geo` only: time limit of meshing in seconds; longer meshing is an error")
+                  "geometries only: time limit of meshing in seconds; longer meshing is an error")
           .changeable()
           .in("seconds"),
       field<Mesh>("memory_limit_mb", &Mesh::memory_limit_mb, integer(1, 1 << 24),
-                  "`.geo` only: memory limit of meshing in MB")
+                  "geometries only: memory limit of meshing in MB")
           .changeable()
           .in("MB"),
       field<Mesh>("thickness", &Mesh::thickness, number(greater(0)),
@@ -83,6 +173,21 @@ Value<Mesh> mesh_table() {
       field<Mesh>("share_nodes", &Mesh::share_nodes, shared,
                   "what to do about nodes that several bodies share outside any contact: report an error, or tie the "
                   "bodies there, node to node"),
+      field<Mesh>("size", &Mesh::size, number(greater(0)), "CAD only: size of the elements")
+          .in("length")
+          .changeable()
+          .otherwise("a twenty-fifth of the diagonal of the model"),
+      field<Mesh>("elements_per_circle", &Mesh::elements_per_circle, number(at_least(0)),
+                  "CAD only: elements on a full circle of a curved face; 0: curvature does not count")
+          .changeable(),
+      field<Mesh>("sizes", &Mesh::sizes, written_inline(list(mesh_size_table())),
+                  "CAD only: sizes of the elements on surfaces and near them, or in bodies")
+          .changeable()
+          .otherwise("`size` everywhere"),
+      field<Mesh>("cut", &Mesh::cut, written_inline(list(mesh_cut_table())),
+                  "CAD only: symmetry planes at which the model is cut; their faces are the surfaces `cut_x`, ...")
+          .changeable()
+          .otherwise("the whole model"),
   });
   return converted<Mesh>(keys, [](Mesh mesh, const Item& item, Context& context) -> std::optional<Mesh> {
     mesh.location = item.child("file").location;
@@ -90,9 +195,17 @@ Value<Mesh> mesh_table() {
     if (!mesh.file.empty() && !settings::is_mesh_file(extension))
       context.errors.add(mesh.location, fmt::format("'{}'", mesh.file.filename().string()),
                          fmt::format("{}{}", settings::mesh_files_in_words, settings::mesh_file_remedy(extension)));
-    if (extension != ".geo" && settings::is_mesh_file(extension))
-      for (const std::string& key : given_keys(item, {"order", "parameters", "time_limit", "memory_limit_mb"}))
-        context.errors.add(item.child(key).location, "has no effect on a finished mesh", "with a .geo file only");
+    if (!settings::is_mesh_file(extension)) return mesh;
+    const bool is_cad = settings::is_cad_file(extension);
+    if (extension != ".geo" && !is_cad)
+      for (const std::string& key : given_keys(item, {"order", "time_limit", "memory_limit_mb"}))
+        context.errors.add(item.child(key).location, "has no effect on a finished mesh", "with a geometry only");
+    if (extension != ".geo" && item.has("parameters"))
+      context.errors.add(item.child("parameters").location, "has no effect here", "with a .geo file only");
+    if (!is_cad)
+      for (const std::string& key : given_keys(item, {"size", "elements_per_circle", "sizes", "cut"}))
+        context.errors.add(item.child(key).location, "has no effect here",
+                           "with a CAD file (.step, .iges, .brep) only");
     return mesh;
   });
 }

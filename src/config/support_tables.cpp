@@ -264,6 +264,11 @@ Value<Temperature> temperature_table() {
                              "relative change of the stiffness with temperature above which it is factorised again; "
                              "affects the run time, not the results")
           .changeable(),
+      field<TemperatureKeys>("scale", &TemperatureKeys::scale, function({"t"}),
+                             "factor on the temperature less `scale_about`: one field, an amplitude in time"),
+      field<TemperatureKeys>("scale_about", &TemperatureKeys::scale_about, number(),
+                             "temperature that `scale` leaves as it is")
+          .in("temperature"),
   });
   return converted<Temperature>(
       keys,
@@ -273,6 +278,10 @@ Value<Temperature> temperature_table() {
           context.errors.add(item.location, given.empty() ? "no temperature" : "both 'value' and 'file'",
                              "exactly one of value, file");
         check_files(found, item, context);
+        for (const std::string& key : given_keys(item, {"scale", "scale_about"}))
+          if (!item.has("file"))
+            context.errors.add(item.child(key).location, "has no effect without 'file'",
+                               "with a file only; a 'value' is an expression, in which it can be written");
         if (found.separator) found.thousands = settings::name_of(*found.separator);
         found.value = found.given.value_or(Function());
         for (std::size_t i = 0; i < column_keys.size(); ++i)

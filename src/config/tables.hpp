@@ -36,6 +36,8 @@ Value<Spring> spring_table(const Vocabulary& vocabulary);
 std::string default_name(const Contact& contact);
 Value<Cyclic> cyclic_table();
 Value<Rigid> rigid_table();
+Value<Rigid> coupling_table();
+Value<Surface> surface_table();
 Value<Equation> equation_table();
 /// Two different surfaces.
 Value<std::array<Reference, 2>> two_surfaces();

@@ -82,7 +82,7 @@ void make_rigid(Draft& draft, const RigidGroup& group) {
     if (draft.bodies_at(node) != draft.bodies_at(nodes.front()))
       return refuse("its nodes belong to several bodies; a rigid surface is one of a single body");
   config::Rigid rigid;
-  rigid.on.name = draft.mesh.add_nodes(draft.name_for(nodes, "rigid"), nodes);
+  rigid.on = {{.name = draft.mesh.add_nodes(draft.name_for(nodes, "rigid"), nodes), .location = {}}};
   rigid.origin = rounded(draft.position(group.reference));
   const std::int64_t turning = group.rotation.value_or(group.reference);
   const int first = group.rotation ? 1 : 4;

@@ -4,7 +4,6 @@
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/tangents.hpp"
-#include "creepcontact/linalg/dense.hpp"
 #include "separable_load.hpp"
 
 namespace creepcontact::mechanics {
@@ -195,30 +194,9 @@ std::unique_ptr<Load> point_load(const mesh::Mesh& mesh, std::int64_t node, std:
   return std::make_unique<SumOfLoads>(std::move(parts));
 }
 
-std::unique_ptr<Load> resultant_load(const mesh::Mesh& mesh, const std::vector<std::int64_t>& nodes,
-                                     const Vector3& origin, std::array<Function, 3> force,
-                                     std::array<Function, 3> moment) {
-  const auto n = static_cast<double>(nodes.size());
-  Vector3 centre = Vector3::Zero();
-  for (const std::int64_t node : nodes) centre += mesh.nodes[node] / n;
-  Matrix3 inertia = Matrix3::Zero();
-  for (const std::int64_t node : nodes) {
-    const Vector3 arm = mesh.nodes[node] - centre;
-    inertia += arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose();
-  }
-  const Matrix3 inverse = linalg::symmetric_pseudo_inverse(inertia);
-  std::vector<std::unique_ptr<Load>> parts;
-  const auto add = [&](const Vector3& resultant, const Vector3& couple, Function& value) {
-    if (value.is_zero()) return;
-    const Vector3 turning = inverse * couple;
-    std::vector<Vector3> forces;
-    for (const std::int64_t node : nodes) forces.emplace_back(resultant / n + turning.cross(mesh.nodes[node] - centre));
-    parts.push_back(
-        std::make_unique<SeparableLoad>(std::make_unique<NodalForces>(nodes, std::move(forces)), std::move(value)));
-  };
-  for (int k = 0; k < 3; ++k) add(Vector3::Unit(k), (origin - centre).cross(Vector3::Unit(k)), force[k]);
-  for (int k = 0; k < 3; ++k) add(Vector3::Zero(), Vector3::Unit(k), moment[k]);
-  return std::make_unique<SumOfLoads>(std::move(parts));
+std::unique_ptr<Load> nodal_load(std::vector<std::int64_t> nodes, std::vector<Vector3> forces, Function factor) {
+  return std::make_unique<SeparableLoad>(std::make_unique<NodalForces>(std::move(nodes), std::move(forces)),
+                                         std::move(factor));
 }
 
 }  // namespace creepcontact::mechanics

@@ -310,6 +310,56 @@ struct OfBodies final : TemperatureField::Definition {
   std::vector<mesh::PointTree> trees;
 };
 
+class ScaledAtPositions final : public TemperatureAtPositions {
+ public:
+  ScaledAtPositions(std::unique_ptr<const TemperatureAtPositions> field, Function scale, double about)
+      : field_(std::move(field)), scale_(std::move(scale)), about_(about) {}
+
+  void evaluate(double t, std::span<double> values, TemperatureMemo& memo) const override {
+    field_->evaluate(t, values, memo);
+    const double factor = scale_({.t = t});
+    for (double& value : values) value = about_ + factor * (value - about_);
+  }
+
+ private:
+  std::unique_ptr<const TemperatureAtPositions> field_;
+  Function scale_;
+  double about_;
+};
+
+struct OfScaled final : TemperatureField::Definition {
+  OfScaled(TemperatureField given, Function factor, double fixed)
+      : field(std::move(given)), scale(std::move(factor)), about(fixed) {
+    position = field.depends_on_position();
+    time = field.depends_on_time() || scale.depends_on_time();
+    text = fmt::format("{:.17g} plus {} times ({} less that)", about, scale.text(), field.text());
+  }
+
+  double value(const Arguments& at) const override { return about + scale(at) * (field(at) - about); }
+  std::unique_ptr<const TemperatureAtPositions> at(std::span<const Vector3> positions) const override {
+    return std::make_unique<ScaledAtPositions>(field.at(positions), scale, about);
+  }
+  std::unique_ptr<const TemperatureAtPositions> at_points(const Discretization& of_mesh,
+                                                          const mesh::Mesh& mesh) const override {
+    return std::make_unique<ScaledAtPositions>(field.at_points(of_mesh, mesh), scale, about);
+  }
+  NodeCover cover(const mesh::Mesh& mesh) const override { return field.cover(mesh); }
+  std::vector<double> breakpoints(double end) const override {
+    std::vector<double> result = field.breakpoints(end);
+    for (const double t : scale.breakpoints(end))
+      if (t <= end) result.push_back(t);
+    std::ranges::sort(result);
+    const auto [first, last] = std::ranges::unique(result);
+    result.erase(first, last);
+    return result;
+  }
+  PlaceOutside outside(const Vector3& place) const override { return field.outside(place); }
+
+  TemperatureField field;
+  Function scale;
+  double about;
+};
+
 }  // namespace
 
 Vector3 RevolutionAxis::in_section(const Vector3& position) const {
@@ -324,6 +374,10 @@ TemperatureField::TemperatureField(ScatteredTemperatures given)
 
 TemperatureField::TemperatureField(std::vector<OnBody> bodies)
     : definition_(std::make_shared<OfBodies>(std::move(bodies))) {}
+
+TemperatureField TemperatureField::scaled(const Function& scale, double about) const {
+  return TemperatureField(std::make_shared<const OfScaled>(*this, scale, about));
+}
 
 const TemperatureField& TemperatureField::on(const mesh::Mesh& mesh) const {
   const TemperatureField* own = definition_->on(mesh);

@@ -1,5 +1,5 @@
-/// creepcontact-mesher: meshes one .geo for creepcontact, in a process of its own, so that whatever the file does to
-/// Gmsh ends here.
+/// creepcontact-mesher: meshes one geometry for creepcontact, in a process of its own, so that whatever the file does
+/// to Gmsh ends here.
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,7 +12,9 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <optional>
 
+#include "cad.hpp"
 #include "confinement.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/io/msh/mesher_protocol.hpp"
@@ -97,18 +99,23 @@ int mesh(const MesherRequest& request) {
 
   set_order(request.order);
   watch();
-  gmsh::merge(request.file.string());
+  std::optional<io::CadFacts> cad;
+  if (request.cad)
+    cad = read_cad(request.file, *request.cad);
+  else
+    gmsh::merge(request.file.string());
   stop_reading();
   if (gmsh_has_failed()) return status::gmsh_failed;
   set_order(request.order);  // the file may have had its own idea
   const bool is_read = settings::is_converted_mesh(request.file.extension().string());
-  if (!is_read) gmsh::model::mesh::generate(request.dimension);
+  if (!is_read) gmsh::model::mesh::generate(request.cad && request.cad->surfaces_only ? 2 : request.dimension);
   if (gmsh_has_failed()) return status::gmsh_failed;
   io::MshContent content = gmsh_content();
   if (request.file.extension() == ".unv") {
     if (const std::vector<UnvGroup> groups = unv_groups(request.file); !groups.empty()) set_groups(groups, content);
   }
-  if (is_read && content.physicals.empty()) name_entities(content);
+  if ((is_read || cad) && content.physicals.empty()) name_entities(content);
+  if (cad) send(cad->text() + '\n');
   send(io::write_msh(content));
   return status::done;
 }

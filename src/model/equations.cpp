@@ -15,6 +15,7 @@
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/contact/geometry/equation_rows.hpp"
 #include "creepcontact/linalg/independent_rows.hpp"
+#include "model_links.hpp"
 #include "model_parts.hpp"
 
 namespace creepcontact::model {
@@ -213,11 +214,14 @@ double nodal_area(const mechanics::Body& body) {
 }
 
 void append_equations(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
-                      const Bodies& bodies, std::vector<contact::Pair>& pairs, ErrorCollector& errors) {
+                      const Bodies& bodies, const std::vector<MotionEquation>& motions,
+                      std::vector<contact::Pair>& pairs, ErrorCollector& errors) {
   std::map<Window, std::vector<Found>> found;
   std::deque<Function> values;
   for (const config::Equation& equation : config.equations)
     errors.collect(equation.location, [&] { found[always].push_back(find_nodes(equation, bodies)); });
+  for (const MotionEquation& motion : motions)
+    found[always].push_back({&motion.value, motion.location, motion.slave, motion.master, motion.equation, always});
   for (const config::Support& support : config.supports) {
     if (support.acts_always()) continue;
     errors.collect(support.on.location, [&] {

@@ -12,6 +12,7 @@ config::Config without_mechanics(config::Config config) {
   config.springs.clear();
   config.equations.clear();
   config.rigid.clear();
+  config.coupling.clear();
   config.cyclic.clear();
   config.gaskets.clear();
   config.generalized_plane_strain = {};

@@ -9,6 +9,7 @@
 #include "creepcontact/io/msh/gmsh_reader.hpp"
 #include "creepcontact/settings/mesh_formats.hpp"
 #include "model_parts.hpp"
+#include "surfaces.hpp"
 
 namespace creepcontact::model {
 namespace {
@@ -45,7 +46,8 @@ std::string instead_of(const fs::path& file) {
 
 }  // namespace
 
-mesh::Mesh read_mesh(const config::Mesh& mesh, settings::Analysis analysis) {
+mesh::Mesh read_mesh(const config::Config& config) {
+  const config::Mesh& mesh = config.mesh;
   std::error_code failure;
   const fs::file_status status = fs::status(mesh.file, failure);
   const std::string position = mesh.location.prefix();
@@ -55,12 +57,15 @@ mesh::Mesh read_mesh(const config::Mesh& mesh, settings::Analysis analysis) {
   if (!fs::is_regular_file(status))
     throw ModelError(fmt::format("{}'{}' is not a regular file; name {}", position, mesh.file.string(),
                                  settings::mesh_files_in_words));
-  return io::read_mesh(mesh.file, {.order = mesh.order,
-                                   .parameters = mesh.parameters,
-                                   .time_limit = mesh.time_limit,
-                                   .memory_limit_mb = mesh.memory_limit_mb,
-                                   .trusted = mesh.trust_geometry,
-                                   .section = {analysis, mesh.thickness}});
+  if (settings::is_cad_file(mesh.file.extension().string())) return read_cad_mesh(config);
+  mesh::Mesh result = io::read_mesh(mesh.file, {.order = mesh.order,
+                                                .parameters = mesh.parameters,
+                                                .time_limit = mesh.time_limit,
+                                                .memory_limit_mb = mesh.memory_limit_mb,
+                                                .trusted = mesh.trust_geometry,
+                                                .section = {config.analysis, mesh.thickness}});
+  add_surfaces(config, result);
+  return result;
 }
 
 }  // namespace creepcontact::model

@@ -81,7 +81,7 @@ StepLimits step_limits(std::span<const SearchedFunction> functions) {
 Model build_model(const config::Config& given) {
   const bool is_heat_alone = given.is_heat_alone();
   const config::Config config = is_heat_alone ? without_mechanics(given) : given;
-  const mesh::Mesh whole = read_mesh(config.mesh, config.analysis);
+  const mesh::Mesh whole = read_mesh(config);
 
   ErrorCollector errors;
   std::vector<mesh::BodyMesh> cut(config.bodies.size());
@@ -155,7 +155,7 @@ Model build_model(const config::Config& given) {
 
   for (const config::Load& load : config.loads)
     errors.collect(load.location, [&] { add_load(load, config, whole, meshes, bodies); });
-  add_rigid_loads(config, links, bodies, errors);
+  add_motion_loads(config, meshes, links, bodies, errors);
   GasketKinds gaskets;
   for (const config::Gasket& gasket : config.gaskets)
     errors.collect(gasket.location, [&] { gaskets[gasket.name] = make_gasket(gasket); });
@@ -174,7 +174,7 @@ Model build_model(const config::Config& given) {
   if (!is_heat_alone) append_ties(config, shared.value(), bodies, pairs);
   leave_out_dependent_ties(bodies, config.time.output, pairs);
   append_sector_ties(config, links, bodies, pairs, errors);
-  append_equations(config, whole, meshes, bodies, pairs, errors);
+  append_equations(config, whole, meshes, bodies, motion_equations(config, meshes, links, errors), pairs, errors);
   append_springs(config, bodies, pairs, errors);
   errors.raise();
   if (!is_heat_alone) share_axial_strain(config, bodies, pairs);

@@ -5,12 +5,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/mesh/point_tree.hpp"
+#include "mean_motion.hpp"
 
 namespace creepcontact::model {
 namespace {
@@ -25,6 +27,12 @@ contact::Sector sector_of(const config::Cyclic& cyclic) {
 bool has_group(const mesh::Mesh& mesh, const std::string& group) {
   const auto found = mesh.groups.find(group);
   return found != mesh.groups.end() && !found->second.cells.empty();
+}
+
+std::string names_of(const std::vector<config::Reference>& all) {
+  std::string result;
+  for (const config::Reference& one : all) result += (result.empty() ? "" : ", ") + one.name;
+  return result;
 }
 
 double size_of(const mesh::Mesh& mesh) {
@@ -118,24 +126,33 @@ class LinkMaker {
   }
 
   void add(const config::Rigid& rigid) {
-    const std::vector<std::size_t> bodies = bodies_on(config_, whole_, meshes_, rigid.on.name, {}, -1);
-    if (bodies.size() > 1)
-      throw ModelError(fmt::format("'{}' is on the bodies '{}' and '{}'; a rigid surface is one of a single body",
-                                   rigid.on.name, config_.bodies[bodies[0]].name, config_.bodies[bodies[1]].name));
-    const mesh::Mesh& mesh = meshes_[bodies.front()];
-    mechanics::NodeLinks::Rigid link{rigid.on.name, mesh::group_nodes(mesh, rigid.on.name), Vector3::Zero(),
-                                     rigid.displacement, rigid.rotation};
-    if (rigid.origin)
-      link.origin = vector(*rigid.origin);
-    else
-      for (const std::int64_t node : link.nodes)
-        link.origin += mesh.nodes[node] / static_cast<double>(link.nodes.size());
-    if (mesh.section.is_axisymmetric()) {  // a ring that moves without strain moves along the axis
-      link.displacement[0] = 0.0;
-      link.rotation = {0.0, 0.0, 0.0};
+    std::map<std::size_t, std::set<std::int64_t>> nodes;  // by body
+    for (const config::Reference& on : rigid.on)
+      for (const std::size_t b : bodies_on(config_, whole_, meshes_, on.name, {}, -1))
+        for (const std::int64_t node : mesh::group_nodes(meshes_[b], on.name)) nodes[b].insert(node);
+    const Vector3 origin = rigid.origin ? vector(*rigid.origin) : mean_position(nodes);
+    std::vector<ModelLinks::RigidPart>& parts = links_.rigid.emplace_back();
+    for (const auto& [b, of_body] : nodes) {
+      mechanics::NodeLinks::Rigid link{
+          names_of(rigid.on), {of_body.begin(), of_body.end()}, origin, rigid.displacement, rigid.rotation};
+      if (meshes_[b].section.is_axisymmetric()) {  // a ring that moves without strain moves along the axis
+        link.displacement[0] = 0.0;
+        link.rotation = {0.0, 0.0, 0.0};
+      }
+      parts.push_back({b, links_.of_body[b].rigid.size()});
+      links_.of_body[b].rigid.push_back(std::move(link));
     }
-    links_.of_body[bodies.front()].rigid.push_back(std::move(link));
-    links_.body_of_rigid.push_back(bodies.front());
+  }
+
+  Vector3 mean_position(const std::map<std::size_t, std::set<std::int64_t>>& nodes) const {
+    Vector3 sum = Vector3::Zero();
+    double count = 0;
+    for (const auto& [b, of_body] : nodes)
+      for (const std::int64_t node : of_body) {
+        sum += meshes_[b].nodes[static_cast<std::size_t>(node)];
+        ++count;
+      }
+    return sum / std::max(count, 1.0);
   }
 
   ModelLinks& links() { return links_; }
@@ -207,19 +224,116 @@ ModelLinks make_links(const config::Config& config, const mesh::Mesh& whole, Bod
   return std::move(maker.links());
 }
 
-void add_rigid_loads(const config::Config& config, const ModelLinks& links, Bodies& bodies, ErrorCollector& errors) {
-  std::vector<std::size_t> next(bodies.size(), 0);
+namespace {
+
+const char* const component_words[] = {"displacement along x", "displacement along y", "displacement along z",
+                                       "rotation about x",     "rotation about y",     "rotation about z"};
+
+const std::optional<Function>& prescribed(const config::Rigid& motion, int component) {
+  return component < 3 ? motion.displacement[static_cast<std::size_t>(component)]
+                       : motion.rotation[static_cast<std::size_t>(component - 3)];
+}
+
+MeanMotion motion_of(const config::Config& config, const BodyMeshes& meshes, const config::Rigid& coupling) {
+  std::vector<WeightedNodes> parts;
+  for (const config::Reference& on : coupling.on) {
+    bool is_somewhere = false;
+    for (std::size_t b = 0; b < meshes.size(); ++b)
+      if (has_group(meshes[b], on.name)) {
+        parts.push_back(weighted_nodes(b, meshes[b], on.name));
+        is_somewhere = true;
+      }
+    if (!is_somewhere) throw ModelError(fmt::format("no body has the surface '{}'", on.name));
+  }
+  Vector3 mean = Vector3::Zero();
+  double sum = 0;
+  for (const WeightedNodes& part : parts)
+    for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+      mean += part.weights[i] * meshes[part.body].nodes[static_cast<std::size_t>(part.nodes[i])];
+      sum += part.weights[i];
+    }
+  return {parts, meshes, coupling.origin ? vector(*coupling.origin) : Vector3(mean / sum)};
+}
+
+/// Where the nodes do not tell a component that something is said of.
+void require_known(const MeanMotion& motion, const config::Rigid& given, const BodyMeshes& meshes) {
+  for (int k = 0; k < 6; ++k) {
+    const Function& load =
+        k < 3 ? given.force[static_cast<std::size_t>(k)] : given.moment[static_cast<std::size_t>(k - 3)];
+    if (motion.knows(k) || (!prescribed(given, k) && load.is_zero())) continue;
+    throw ModelError(fmt::format("{}: the {} is not that of its nodes{}; name a surface, or more of them",
+                                 names_of(given.on), component_words[k],
+                                 meshes.front().section.dimension() == 2 ? ", which move in the plane of the section"
+                                                                         : ", which lie on one line"));
+  }
+}
+
+}  // namespace
+
+void add_motion_loads(const config::Config& config, const BodyMeshes& meshes, const ModelLinks& links, Bodies& bodies,
+                      ErrorCollector& errors) {
   for (std::size_t i = 0; i < config.rigid.size(); ++i) {
     const config::Rigid& rigid = config.rigid[i];
-    const std::size_t b = links.body_of_rigid[i];
-    const mechanics::NodeLinks::Rigid& link = links.of_body[b].rigid[next[b]++];
-    const auto is_zero = [](const Function& component) { return component.is_zero(); };
-    if (std::ranges::all_of(rigid.force, is_zero) && std::ranges::all_of(rigid.moment, is_zero)) continue;
-    errors.collect(rigid.location, [&] {
-      bodies[b].add_load(
-          mechanics::resultant_load(bodies[b].mesh(), link.nodes, link.origin, rigid.force, rigid.moment));
+    if (links.rigid.size() <= i || links.rigid[i].empty()) continue;
+    errors.collect(rigid.location, [&] {  // of all that move together the first part takes them
+      const ModelLinks::RigidPart& part = links.rigid[i].front();
+      const mechanics::NodeLinks::Rigid& link = links.of_body[part.body].rigid[part.link];
+      MeanMotion({equally_weighted(part.body, link.nodes)}, meshes, link.origin)
+          .add_loads(rigid.force, rigid.moment, bodies);
     });
   }
+  for (const config::Rigid& coupling : config.coupling)
+    errors.collect(coupling.location, [&] {
+      const MeanMotion motion = motion_of(config, meshes, coupling);
+      require_known(motion, coupling, meshes);
+      motion.add_loads(coupling.force, coupling.moment, bodies);
+    });
+}
+
+std::vector<MotionEquation> motion_equations(const config::Config& config, const BodyMeshes& meshes,
+                                             const ModelLinks& links, ErrorCollector& errors) {
+  std::vector<MotionEquation> result;
+  for (std::size_t i = 0; i < config.rigid.size() && i < links.rigid.size(); ++i) {
+    const config::Rigid& rigid = config.rigid[i];
+    const std::vector<ModelLinks::RigidPart>& parts = links.rigid[i];
+    const auto motion = [&](const ModelLinks::RigidPart& part) {
+      const mechanics::NodeLinks::Rigid& link = links.of_body[part.body].rigid[part.link];
+      return MeanMotion({equally_weighted(part.body, link.nodes)}, meshes, link.origin);
+    };
+    for (std::size_t p = 1; p < parts.size(); ++p)
+      errors.collect(rigid.location, [&] {
+        const MeanMotion first = motion(parts[0]), other = motion(parts[p]);
+        for (int k = 0; k < 6; ++k) {
+          if (prescribed(rigid, k) || !(first.knows(k) || other.knows(k))) continue;
+          if (!first.knows(k) || !other.knows(k))
+            throw ModelError(
+                fmt::format("the nodes on body '{}' lie on one line, about which they turn freely; name a "
+                            "surface of it",
+                            config.bodies[(first.knows(k) ? parts[p] : parts[0]).body].name));
+          result.push_back({&rigid.location,
+                            parts[p].body,
+                            parts[0].body,
+                            {other.terms(parts[p].body, k, 1), first.terms(parts[0].body, k, -1)},
+                            0.0});
+        }
+      });
+  }
+  for (const config::Rigid& coupling : config.coupling)
+    errors.collect(coupling.location, [&] {
+      const MeanMotion motion = motion_of(config, meshes, coupling);
+      for (int k = 0; k < 6; ++k) {
+        if (!prescribed(coupling, k) || !motion.knows(k)) continue;
+        const std::vector<std::size_t>& bodies = motion.bodies();
+        if (bodies.size() > 2)
+          throw ModelError(fmt::format("{}: {} bodies; the motion of a coupling is prescribed for at most two",
+                                       names_of(coupling.on), bodies.size()));
+        MotionEquation one{&coupling.location, bodies.front(), bodies.back(), {}, *prescribed(coupling, k)};
+        one.equation.slave = motion.terms(bodies.front(), k, 1);
+        if (bodies.size() == 2) one.equation.master = motion.terms(bodies.back(), k, 1);
+        result.push_back(std::move(one));
+      }
+    });
+  return result;
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "creepcontact/contact/geometry/equation_rows.hpp"
 #include "creepcontact/contact/geometry/sector.hpp"
 #include "creepcontact/mechanics/node_links.hpp"
 #include "model_parts.hpp"
@@ -17,7 +18,11 @@ struct ModelLinks {
   };
   std::vector<mechanics::NodeLinks> of_body;
   std::vector<UnmatchedFace> unmatched;
-  std::vector<std::size_t> body_of_rigid;  ///< by [[rigid]]
+  /// Part of a [[rigid]] on one body.
+  struct RigidPart {
+    std::size_t body = 0, link = 0;  ///< index in of_body[body].rigid
+  };
+  std::vector<std::vector<RigidPart>> rigid;  ///< by [[rigid]]
 };
 
 /// The sector of the whole model: all [[cyclic]] have the same axis and angle. Empty without [[cyclic]].
@@ -28,7 +33,20 @@ std::optional<contact::Sector> sector(const config::Config& config);
 ModelLinks make_links(const config::Config& config, const mesh::Mesh& whole, BodyMeshes& meshes,
                       ErrorCollector& errors);
 
-void add_rigid_loads(const config::Config& config, const ModelLinks& links, Bodies& bodies, ErrorCollector& errors);
+/// Forces and moments of [[rigid]] and [[coupling]].
+void add_motion_loads(const config::Config& config, const BodyMeshes& meshes, const ModelLinks& links, Bodies& bodies,
+                      ErrorCollector& errors);
+
+/// An equation between displacements of one body, or of two, and its value.
+struct MotionEquation {
+  const config::Location* location = nullptr;
+  std::size_t slave = 0, master = 0;
+  contact::LinearEquation equation;
+  Function value = 0.0;
+};
+/// What joins the parts of a [[rigid]] on several bodies, and prescribes motions of [[coupling]].
+std::vector<MotionEquation> motion_equations(const config::Config& config, const BodyMeshes& meshes,
+                                             const ModelLinks& links, ErrorCollector& errors);
 
 std::string sector_tie_name(const config::Config& config, const ModelLinks::UnmatchedFace& faces);
 /// Ties unmatched faces by the mortar method: the second face is the slave.

@@ -16,9 +16,11 @@
 namespace creepcontact::model {
 
 struct SearchedFunction;  // function_search.hpp
+struct MotionEquation;    // model_links.hpp
 
-/// Reads or makes the mesh. @throws ModelError, with the place in the configuration if there is no such file
-mesh::Mesh read_mesh(const config::Mesh& mesh, settings::Analysis analysis);
+/// Reads or makes the mesh, with the surfaces that the configuration names. @throws ModelError, with the place in the
+/// configuration if there is no such file
+mesh::Mesh read_mesh(const config::Config& config);
 
 std::optional<mechanics::MaterialAxes> material_axes(const config::Body& body);
 
@@ -52,11 +54,12 @@ void prescribe_axial_strain(const config::Config& config, const BodyMeshes& mesh
 /// ties that make the strain the same in all bodies. Otherwise nothing.
 void share_axial_strain(const config::Config& config, Bodies& bodies, std::vector<contact::Pair>& pairs);
 
-/// [[equations]], and supports that act for a time, as pairs of bodies, without those that follow from others or that
-/// supports fulfil. Errors name the place in the configuration: a node that no body has, equations between three
-/// bodies, or that contradict each other.
+/// [[equations]], those of motions, and supports that act for a time, as pairs of bodies, without those that follow
+/// from others or that supports fulfil. Errors name the place in the configuration: a node that no body has, equations
+/// between three bodies, or that contradict each other.
 void append_equations(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
-                      const Bodies& bodies, std::vector<contact::Pair>& pairs, ErrorCollector& errors);
+                      const Bodies& bodies, const std::vector<MotionEquation>& motions,
+                      std::vector<contact::Pair>& pairs, ErrorCollector& errors);
 
 void add_load(const config::Load& load, const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
               Bodies& bodies);

@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/contact/geometry/equation_rows.hpp"
-#include "creepcontact/mechanics/loads.hpp"
+#include "mean_motion.hpp"
 #include "model_parts.hpp"
 
 namespace creepcontact::model {
@@ -29,22 +30,10 @@ SpringEnd mean_of(const std::string& surface, const config::Config& config, cons
   if (owners.size() > 1)
     throw ModelError(fmt::format("the surface '{}' is on {} bodies ('{}', '{}'); name one surface per body", surface,
                                  owners.size(), config.bodies[owners[0]].name, config.bodies[owners[1]].name));
-  SpringEnd end{owners.front(), {}, {}};
-  const mesh::Mesh& mesh = bodies[end.body].mesh();
-  if (mesh.group(surface).dimension < mesh.section.dimension() - 1) {
-    end.nodes = mesh::group_nodes(mesh, surface);
-    end.weights.assign(end.nodes.size(), 1 / static_cast<double>(end.nodes.size()));
-    return end;
-  }
-  std::vector<double> integrals(3 * mesh.nodes.size(), 0.0);
-  mechanics::traction_load(mesh, mesh::boundary_faces(mesh, surface), {1.0, 0.0, 0.0})->add(0, integrals);
-  double area = 0;
-  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) area += integrals[3 * i];
-  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
-    if (integrals[3 * i] == 0) continue;
-    end.nodes.push_back(static_cast<std::int64_t>(i));
-    end.weights.push_back(integrals[3 * i] / area);
-  }
+  const WeightedNodes all = weighted_nodes(owners.front(), bodies[owners.front()].mesh(), surface);
+  SpringEnd end{all.body, all.nodes, all.weights};
+  const double sum = std::accumulate(end.weights.begin(), end.weights.end(), 0.0);
+  for (double& weight : end.weights) weight /= sum;
   return end;
 }
 

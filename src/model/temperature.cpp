@@ -128,7 +128,9 @@ mechanics::TemperatureField temperature_field(const config::Temperature& tempera
   field.values = std::move(read.values);
   field.period = temperature.period;
   if (!field.axis) field.node_tolerance = tolerance_of_nodes(field.points, mesh, file);
-  return mechanics::TemperatureField(std::move(field));
+  mechanics::TemperatureField result(std::move(field));
+  const bool is_scaled = temperature.scale.depends_on_time() || temperature.scale({}) != 1;
+  return is_scaled ? result.scaled(temperature.scale, temperature.scale_about) : result;
 }
 
 void tell_interpolation(const config::Config& config, const std::vector<mechanics::Body>& bodies,

@@ -10,10 +10,10 @@
 #include "comparison.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
-#include "creepcontact/platform/replace_file.hpp"
 #include "creepcontact/plot/overlay_plots.hpp"
 #include "drawings.hpp"
 #include "html.hpp"
+#include "page.hpp"
 #include "run_data.hpp"
 #include "run_sections.hpp"
 
@@ -25,18 +25,6 @@ struct Part {
 };
 constexpr std::array parts{Part{"answer", "What came out"}, Part{"histories", "Histories"}, Part{"fields", "Fields"},
                            Part{"inputs", "Inputs"},        Part{"accuracy", "Accuracy"},   Part{"origin", "Origin"}};
-
-void open_page(const std::string& title, Html& page) {
-  page.raw(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"generator\" content=\"creepcontact " CREEPCONTACT_VERSION "\">\n");
-  page.element("title", title);
-  page.raw("<style>\n");
-  page.raw(report_style());
-  page.raw(viewer_style());
-  page.raw("</style>\n</head>\n<body>\n");
-}
 
 void add_contents(const std::vector<RunData>& runs, Html& page) {
   page.open("nav", "aria-label=\"Contents\"");
@@ -93,14 +81,6 @@ std::filesystem::path output_file(const std::vector<std::filesystem::path>& runs
   return options.output;
 }
 
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::error_code failure;
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), failure);
-  if (failure)
-    throw ConfigError(fmt::format("--output: directory {}: {}", file.parent_path().string(), failure.message()));
-  platform::replace_file(file, text);
-}
-
 }  // namespace
 
 WrittenReport write_report(const std::vector<std::filesystem::path>& directories, const ReportOptions& options) {
@@ -140,13 +120,8 @@ WrittenReport write_report(const std::vector<std::filesystem::path>& directories
     page.close("section");
   }
   page.close("main");
-  if (!viewer_script().empty()) {
-    page.raw("<script>\n");
-    page.raw(viewer_script());
-    page.raw("\n</script>\n");
-  }
-  page.raw("</body>\n</html>\n");
-  write(report.file, page.text());
+  close_page(page);
+  write_page(report.file, page.text(), "--output");
   report.megabytes = static_cast<double>(page.text().size()) / 1e6;
   return report;
 }

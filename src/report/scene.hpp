@@ -32,6 +32,7 @@ struct SceneBody {
 struct Scene {
   std::string title, time_unit, length_unit;
   bool flat = false;
+  bool is_model = false;  ///< before the run: there is no time and no deformation
   std::vector<double> times;
   std::vector<SceneBody> bodies;
   std::size_t n_surface = 0;
@@ -55,6 +56,8 @@ std::optional<Scene> read_scene(const std::filesystem::path& directory, const io
 struct PackedScene {
   std::string header, data;
 };
+/// JSON in which no "<" could end the element of the page that holds it.
+std::string without_tags(const std::string& json);
 PackedScene packed(const Scene& scene);
 
 /// A deformation factor, 1, 2 or 5 times a power of ten, that makes the largest displacement some hundredths of the

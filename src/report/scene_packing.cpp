@@ -76,7 +76,8 @@ std::vector<std::uint16_t> codes(const std::vector<float>& values, const FloatRa
   return codes;
 }
 
-/// A "<" could end the element of the page that holds the text.
+}  // namespace
+
 std::string without_tags(const std::string& json) {
   std::string text;
   for (const char c : json)
@@ -87,8 +88,6 @@ std::string without_tags(const std::string& json) {
   return text;
 }
 
-}  // namespace
-
 PackedScene packed(const Scene& scene) {
   const float largest = largest_of(scene.displacements);
   nlohmann::ordered_json header{{"title", scene.title},
@@ -96,6 +95,7 @@ PackedScene packed(const Scene& scene) {
                                 {"time_unit", scene.time_unit},
                                 {"length_unit", scene.length_unit},
                                 {"flat", scene.flat},
+                                {"model", scene.is_model},
                                 {"warp", suggested_warp(scene)},
                                 {"begin",
                                  {{"field", scene.fields.empty() ? "" : scene.fields.front().name},

@@ -77,8 +77,13 @@ void check(const config::Config& given, std::ostream& report, const CheckOptions
   const contact::RigidBodyModes& rigid_body_modes = model.assembly.rigid_body_modes();
   if (rigid_body_modes.held().cols() > 0)
     text += fmt::format("rigid-body motions held by contact only: {}\n", rigid_body_modes.held().cols());
-  for (const std::string& motion : rigid_body_modes.describe_unconstrained())
-    text += fmt::format("not held by supports or contact, must not be loaded: {}\n", motion);
+  constexpr std::size_t most_motions = 6;
+  const std::vector<std::string> motions = rigid_body_modes.describe_unconstrained();
+  for (std::size_t i = 0; i < std::min(most_motions, motions.size()); ++i)
+    text += fmt::format("not held by supports or contact, must not be loaded: {}\n", motions[i]);
+  if (motions.size() > most_motions)
+    text += fmt::format("... and {} more motions that nothing holds: give [[supports]] first\n",
+                        motions.size() - most_motions);
   if (const auto range = model::temperature_range(config, model))
     text += range->low == range->high ? fmt::format("temperature: {:.6g} everywhere\n", range->low)
                                       : fmt::format("temperature: {:.6g} to {:.6g}\n", range->low, range->high);

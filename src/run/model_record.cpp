@@ -259,8 +259,16 @@ class Recorder {
     for (const config::Cyclic& cyclic : config_.cyclic)
       section.notes.push_back(fmt::format("Cyclic symmetry: one sector of {:.6g} degrees between '{}' and '{}'.",
                                           cyclic.angle, cyclic.between[0].name, cyclic.between[1].name));
-    for (const config::Rigid& rigid : config_.rigid)
-      section.notes.push_back(fmt::format("Surface '{}' moves as a rigid body.", rigid.on.name));
+    const auto add_motions = [&](const std::vector<config::Rigid>& all, const char* what) {
+      for (const config::Rigid& one : all) {
+        std::vector<std::string> names;
+        for (const config::Reference& on : one.on) names.push_back("'" + on.name + "'");
+        section.notes.push_back(
+            fmt::format("{} {}: {}", names.size() == 1 ? "Surface" : "Surfaces", fmt::join(names, ", "), what));
+      }
+    };
+    add_motions(config_.rigid, "one rigid motion.");
+    add_motions(config_.coupling, "the mean motion follows a point.");
     for (const config::Spring& spring : config_.springs)
       section.notes.push_back(fmt::format("Spring '{}': {}.", spring.name,
                                           spring.stiffness

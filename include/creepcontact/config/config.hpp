@@ -27,9 +27,31 @@ constexpr auto names_of(SharedNodes) {
 }
 
 /// [mesh]
+
+/// [mesh] sizes: of the elements on a named surface and near it, or in a body.
+struct MeshSize {
+  Reference on, body;  ///< one of them
+  double size = 0;
+};
+
+/// [mesh] cut: half of a CAD model.
+enum class KeptSide { larger, smaller };
+constexpr auto names_of(KeptSide) {
+  return std::to_array<settings::EnumName<KeptSide>>({{"+", KeptSide::larger}, {"-", KeptSide::smaller}});
+}
+enum class CutAxis { x, y, z };
+constexpr auto names_of(CutAxis) {
+  return std::to_array<settings::EnumName<CutAxis>>({{"x", CutAxis::x}, {"y", CutAxis::y}, {"z", CutAxis::z}});
+}
+struct MeshCut {
+  CutAxis axis = CutAxis::x;
+  KeptSide keep = KeptSide::larger;
+  double at = 0;
+};
+
 struct Mesh {
-  std::filesystem::path file;                ///< .geo or .msh; resolved against the directory of the configuration
-  int order = 2;                             ///< .geo only: 1, or 2 (linear tetrahedra lock in creep)
+  std::filesystem::path file;                ///< resolved against the directory of the configuration
+  int order = 2;                             ///< geometries only: 1, or 2 (linear tetrahedra lock in creep)
   std::map<std::string, double> parameters;  ///< .geo only: values of DefineConstant constants
   bool allow_locking = false;                ///< accept linear tetrahedra and wedges
   bool project_distorted = true;             ///< mesh::Section::project_distorted
@@ -38,7 +60,31 @@ struct Mesh {
   bool trust_geometry = false;               ///< .geo only: may run programs and write files; set on the command line
   SharedNodes share_nodes = SharedNodes::error;
   double thickness = 1;  ///< of plane sections
-  Location location;     ///< of `file`
+  // CAD files only:
+  std::optional<double> size;       ///< of the elements
+  double elements_per_circle = 12;  ///< of a curved face; 0: curvature does not count
+  std::vector<MeshSize> sizes;
+  std::vector<MeshCut> cut;
+  Location location;  ///< of `file`
+};
+
+/// A plane, by a point and its normal.
+struct SectionPlane {
+  std::array<double, 3> origin{};
+  std::array<double, 3> normal{};  ///< of any length; of a probe: points to the part whose force is recorded
+};
+
+/// [surfaces.<name>]: faces of the model, by number or by what is known of them: all conditions must hold.
+struct Surface {
+  std::string name;
+  std::vector<int> faces;                                   ///< numbers, as `creepcontact faces` lists them
+  std::optional<std::string> kind;                          ///< plane, cylinder, cone, sphere, torus, other
+  std::optional<double> radius;                             ///< within one part in a thousand
+  Reference touches;                                        ///< a body
+  Reference body;                                           ///< that has the faces
+  std::optional<std::array<std::array<double, 3>, 2>> box;  ///< lowest and highest corner: faces lie within
+  std::optional<SectionPlane> plane;                        ///< in which faces lie
+  Location location;
 };
 
 /// [bodies.<name>.material_axes.cylindrical]: axes 1, 2, 3 are radial, circumferential and axial.
@@ -252,6 +298,8 @@ struct Temperature {
   std::optional<std::array<double, 3>> axis;
   std::array<double, 3> origin{};  ///< ... and the point on it from which positions count
   double refactor_change = 0.05;   ///< relative change of the stiffness beyond which it is factored again, 0 to 0.5
+  Function scale = 1.0;            ///< of t: factor on the temperature less `scale_about`
+  double scale_about = 0;
   Location location;
 };
 
@@ -403,8 +451,8 @@ struct Cyclic {
 
 /// [[rigid]]: a surface that moves as a rigid body, by small rotations. What is not prescribed is free.
 struct Rigid {
-  Reference on;
-  std::optional<std::array<double, 3>> origin;          ///< default: the mean of the surface's nodes
+  std::vector<Reference> on;                            ///< of any bodies
+  std::optional<std::array<double, 3>> origin;          ///< default: the mean of the nodes
   std::array<std::optional<Function>, 3> displacement;  ///< of the origin, functions of t
   std::array<std::optional<Function>, 3> rotation;      ///< about axes through the origin [rad], functions of t
   std::array<Function, 3> force{0.0, 0.0, 0.0};         ///< at the origin, functions of t
@@ -472,12 +520,6 @@ constexpr auto names_of(Reduce) {
       {{"mean", Reduce::mean}, {"max", Reduce::max}, {"min", Reduce::min}, {"sum", Reduce::sum}});
 }
 
-/// A plane through a body.
-struct SectionPlane {
-  std::array<double, 3> origin{};
-  std::array<double, 3> normal{};  ///< of any length; points to the part whose force is recorded
-};
-
 /// [[probes]]
 struct Probe {
   std::string name;
@@ -519,6 +561,7 @@ struct Config {
   std::vector<std::string> remarks;  ///< what check and run repeat as warnings
   settings::Analysis analysis = settings::Analysis::solid;
   Mesh mesh;
+  std::vector<Surface> surfaces;
   std::vector<Body> bodies;  ///< at least one; in the order of the file, like the materials
   std::vector<Material> materials;
   std::vector<Support> supports;
@@ -531,6 +574,7 @@ struct Config {
   std::vector<Spring> springs;
   std::vector<Cyclic> cyclic;
   std::vector<Rigid> rigid;
+  std::vector<Rigid> coupling;  ///< the mean motion of the surfaces, not each of their nodes
   std::vector<Equation> equations;
   ContactSolver contact_solver;
   settings::StiffnessSettings linear_solver;

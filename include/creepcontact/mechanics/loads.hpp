@@ -35,11 +35,8 @@ std::unique_ptr<Load> traction_load(const mesh::Mesh& mesh, const std::vector<me
 std::unique_ptr<Load> axial_load(const mesh::Mesh& mesh, Function force);
 /// Force at a node. @param force  three functions of t (x, y, z are those of the node)
 std::unique_ptr<Load> point_load(const mesh::Mesh& mesh, std::int64_t node, std::array<Function, 3> force);
-/// Nodal forces with this resultant: force at `origin` and moment about it. For nodes that move as a rigid body, for
-/// which only the resultant counts. @param force, moment  three functions of t
-std::unique_ptr<Load> resultant_load(const mesh::Mesh& mesh, const std::vector<std::int64_t>& nodes,
-                                     const Vector3& origin, std::array<Function, 3> force,
-                                     std::array<Function, 3> moment);
+/// Forces at nodes, a fixed vector each, times a function of t.
+std::unique_ptr<Load> nodal_load(std::vector<std::int64_t> nodes, std::vector<Vector3> forces, Function factor);
 /// Force per volume. @param body  must outlive the load @param force_density  three functions of x, y, z, t
 std::unique_ptr<Load> volume_load(const Discretization& body, std::array<Function, 3> force_density);
 /// Centrifugal force density * omega^2 * (distance vector from the axis). @param body  must outlive the load

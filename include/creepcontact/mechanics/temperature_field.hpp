@@ -87,6 +87,8 @@ class TemperatureField {
     std::shared_ptr<const TemperatureField> field;
   };
   explicit TemperatureField(std::vector<OnBody> bodies);
+  /// about + scale(t) (T - about), of this field T. @param scale  of t
+  TemperatureField scaled(const Function& scale, double about) const;
 
   /// Value at one position and time.
   double operator()(const Arguments& at) const;
@@ -113,6 +115,7 @@ class TemperatureField {
   struct Definition;
 
  private:
+  explicit TemperatureField(std::shared_ptr<const Definition> definition) : definition_(std::move(definition)) {}
   std::shared_ptr<const Definition> definition_;
 };
 

@@ -13,10 +13,19 @@ constexpr std::array<std::string_view, 3> converted_meshes{".unv", ".bdf", ".nas
 constexpr bool is_converted_mesh(std::string_view extension) {
   return std::ranges::find(converted_meshes, extension) != converted_meshes.end();
 }
-constexpr bool is_mesh_file(std::string_view extension) {
-  return extension == ".geo" || extension == ".msh" || is_converted_mesh(extension);
+/// CAD models, which OpenCASCADE reads.
+constexpr std::array<std::string_view, 5> cad_files{".step", ".stp", ".iges", ".igs", ".brep"};
+
+/// Whatever the case: CAD programs write .STEP, too.
+constexpr bool is_cad_file(std::string_view extension) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::ranges::any_of(cad_files,
+                             [&](std::string_view known) { return std::ranges::equal(extension, known, {}, lower); });
 }
-constexpr std::string_view mesh_files_in_words = "a .geo, .msh, .unv, .bdf or .nas file";
+constexpr bool is_mesh_file(std::string_view extension) {
+  return extension == ".geo" || extension == ".msh" || is_converted_mesh(extension) || is_cad_file(extension);
+}
+constexpr std::string_view mesh_files_in_words = "a .geo, .step, .iges, .brep, .msh, .unv, .bdf or .nas file";
 
 /// What to do with a file that is none of these; empty if nothing is known.
 constexpr std::string_view mesh_file_remedy(std::string_view extension) {

@@ -60,9 +60,11 @@ export class Controls {
     this.root = element(
       "div", { class: "controls" },
       labelled("Quantity", this.field),
-      labelled("Colours", this.range),
-      labelled("Deformation", this.warp),
-      element("div", { class: "control wide time" }, ...labelled("Time", this.time).children, this.timeText, this.play),
+      ...(header.model ? [] : [
+        labelled("Colours", this.range),
+        labelled("Deformation", this.warp),
+        element("div", { class: "control wide time" }, ...labelled("Time", this.time).children, this.timeText, this.play),
+      ]),
       labelled("Section", this.axis),
       element("div", { class: "control wide" }, ...labelled("Place of the section", this.place).children, this.placeText,
               this.flip.root),

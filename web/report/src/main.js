@@ -1,11 +1,13 @@
 // Starts the interactive views of a page when they come near, and frees those that are farthest when there are many.
 
+import { ModelViewer } from "./model_viewer.js";
 import { Viewer } from "./viewer.js";
 
 const MOST = 6;
 
 function begin() {
-  const viewers = [...document.querySelectorAll(".viewer[data-scene]")].map((root) => new Viewer(root));
+  const viewers = [...document.querySelectorAll(".viewer[data-scene]")].map(
+    (root) => (root.classList.contains("model") ? new ModelViewer(root) : new Viewer(root)));
   const near = new IntersectionObserver(
     (entries) => {
       for (const entry of entries) {

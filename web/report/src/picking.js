@@ -15,7 +15,7 @@ export function nearestHit(ray, positions, triangles, [first, count], accept) {
     if (!ray.intersectTriangle(a, b, c, false, at) || !accept(at)) continue;
     const distance = ray.origin.distanceTo(at);
     if (best && distance >= best.distance) continue;
-    best = { distance, corners, weights: weights(a, b, c, at), place: at.clone() };
+    best = { distance, triangle: i, corners, weights: weights(a, b, c, at), place: at.clone() };
   }
   return best;
 }

@@ -1,7 +1,8 @@
 // The picture: bodies, lines of the mesh, cut and camera. Draws only when something has changed.
 
 import {
-  BufferAttribute, BufferGeometry, LineSegments, Mesh, OrthographicCamera, Scene, Vector2, Vector3, Vector4, WebGLRenderer,
+  BufferAttribute, BufferGeometry, DoubleSide, LineSegments, Mesh, MeshBasicMaterial, OrthographicCamera, Scene, Vector2, Vector3,
+  Vector4, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { colourTexture } from "./colours.js";
@@ -11,6 +12,7 @@ import { cutThrough } from "./section.js";
 
 const OBLIQUE = new Vector3(1, -1.25, 0.85).normalize();
 const TURN = Math.PI / 24; // per key
+const MARK = 0xd9480f; // of chosen faces
 const FILLED = 0.86; // of the picture, by the bodies
 
 export class View {
@@ -179,6 +181,29 @@ export class View {
     this.resize();
   }
 
+  // Marks triangles, given as pairs of the first one and their number.
+  highlight(ranges) {
+    this.marked?.[0].geometry.dispose();
+    if (this.marked) this.scene.remove(...this.marked);
+    this.marked = null;
+    if (ranges.length) {
+      const { data } = this;
+      const made = new BufferGeometry();
+      made.setAttribute("position", new BufferAttribute(data.positions, 3));
+      made.setIndex(ranges.flatMap(([first, n]) => [...data.triangles.subarray(3 * first, 3 * (first + n))]));
+      const material = (opacity, depthTest) =>
+        new MeshBasicMaterial({
+          color: MARK, side: DoubleSide, transparent: true, opacity, depthTest, polygonOffset: true, polygonOffsetFactor: -1,
+          polygonOffsetUnits: -1,
+        });
+      this.markMaterials ??= [material(0.2, false), material(0.8, true)]; // behind others it shows through
+      this.marked = this.markMaterials.map((one) => new Mesh(made, one));
+      for (const one of this.marked) one.renderOrder = 3;
+      this.scene.add(...this.marked);
+    }
+    this.draw();
+  }
+
   // Looks at the points that have a value: the contact surfaces, with some of what is around them.
   lookAtValues() {
     const { array } = this.codes;
@@ -242,9 +267,9 @@ export class View {
       if (!state.bodies[b]) return;
       const consider = (hit, codes) => {
         if (!hit || (best && hit.distance >= best.distance)) return;
-        const parts = hit.corners.map((corner) => data.value(state.field, codes[corner]));
+        const parts = hit.corners.map((corner) => (data.header.fields.length ? data.value(state.field, codes[corner]) : NaN));
         const value = parts.reduce((sum, part, k) => sum + part * hit.weights[k], 0);
-        best = { distance: hit.distance, body: body.header.name, place: hit.place, value };
+        best = { distance: hit.distance, triangle: hit.triangle, body: body.header.name, place: hit.place, value };
       };
       consider(nearestHit(ray, this.places(), data.triangles, body.header.triangles, kept), this.codes.array);
       if (!body.cap.visible) return;

@@ -54,7 +54,7 @@ const settled = (page) =>
   page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 60)))));
 
 // The pixels of the first view, as bytes of RGBA.
-async function pixels(page) {
+export async function pixels(page) {
   await settled(page);
   const canvas = await page.$(".viewer canvas");
   const png = await canvas.screenshot({ encoding: "base64" });

@@ -1,0 +1,40 @@
+#include "page.hpp"
+
+#include <fmt/format.h>
+
+#include "assets.hpp"
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/platform/replace_file.hpp"
+
+namespace creepcontact::report {
+
+void open_page(const std::string& title, Html& page) {
+  page.raw(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"generator\" content=\"creepcontact " CREEPCONTACT_VERSION "\">\n");
+  page.element("title", title);
+  page.raw("<style>\n");
+  page.raw(report_style());
+  page.raw(viewer_style());
+  page.raw("</style>\n</head>\n<body>\n");
+}
+
+void close_page(Html& page) {
+  if (!viewer_script().empty()) {
+    page.raw("<script>\n");
+    page.raw(viewer_script());
+    page.raw("\n</script>\n");
+  }
+  page.raw("</body>\n</html>\n");
+}
+
+void write_page(const std::filesystem::path& file, const std::string& text, const char* option) {
+  std::error_code failure;
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), failure);
+  if (failure)
+    throw ConfigError(fmt::format("{}: directory {}: {}", option, file.parent_path().string(), failure.message()));
+  platform::replace_file(file, text);
+}
+
+}  // namespace creepcontact::report

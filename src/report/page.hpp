@@ -1,0 +1,18 @@
+#pragma once
+/// What all pages have: styles, the script of the interactive view, and how they come into a file.
+
+#include <filesystem>
+#include <string>
+
+#include "html.hpp"
+
+namespace creepcontact::report {
+
+/// Up to <body>.
+void open_page(const std::string& title, Html& page);
+/// The script, and the end.
+void close_page(Html& page);
+/// @param option  of the command line that names the file, for messages
+void write_page(const std::filesystem::path& file, const std::string& text, const char* option);
+
+}  // namespace creepcontact::report
