@@ -44,7 +44,7 @@ Value<Rigid> all_components() {
   return written_inline(table<Rigid>(fields));
 }
 
-/// Another way to write what other keys have, which a written file does without.
+/// Another way to write what other keys have; a file that is written has those.
 Field<Rigid> only_read(Field<Rigid> key) {
   key.visit = [](const Field<Rigid>&, const Rigid&, Visitor&) {};
   return key;

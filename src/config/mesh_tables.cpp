@@ -141,7 +141,7 @@ Value<Mesh> mesh_table() {
   const auto keys = table<Mesh>({
       field<Mesh>("file", &Mesh::file, path(),
                   "geometry, meshed by the Gmsh library in a separate process: `.geo`, or CAD as `.step`, `.iges`, "
-                  "`.brep`; or a mesh: `.msh` (2.2, 4.1; ASCII, binary), `.unv`, `.bdf`, `.nas`",
+                  "`.brep`; or a mesh: `.msh` (2.2, 4.1; ASCII, binary), `.inp`, `.unv`, `.bdf`, `.nas`",
                   Presence::required)
           .changeable(),
       field<Mesh>("order", &Mesh::order, integer(1, 2),

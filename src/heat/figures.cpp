@@ -103,7 +103,7 @@ std::vector<HeatingThrough> heating_through(const Definition& definition, std::s
   return result;
 }
 
-/// Of a temperature that acts at a place, where the body has that of the arguments.
+/// How a temperature that acts at a place jumps; the body has that of the arguments.
 Jumps jumps_of(const Function& temperature, Arguments at, double end) {
   Jumps result;
   at.t = 0;

@@ -95,7 +95,7 @@ class Periods {
     if (options.repeats) all_ = *options.repeats;
   }
 
-  /// The kinks with the ends of periods, as far as these are no kinks.
+  /// The kinks with the ends of periods, each time once.
   std::vector<double> with_ends(const std::vector<double>& kinks) {
     std::vector<double> all = kinks;
     if (!(all_.period > 0)) return all;

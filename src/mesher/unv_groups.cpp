@@ -117,10 +117,11 @@ void set_groups(const std::vector<UnvGroup>& groups, io::MshContent& content) {
   const std::unordered_set<std::uint64_t> known(content.node_tags.begin(), content.node_tags.end());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     if (groups[g].nodes.empty()) continue;
-    if (names_of_elements.contains(groups[g].name)) {
-      warn(fmt::format("of the groups called '{}' that of elements is taken, that of {} nodes is left out",
-                       groups[g].name, groups[g].nodes.size()));
-      continue;
+    std::string name = groups[g].name;
+    if (names_of_elements.contains(name)) {
+      name += " (nodes)";
+      warn(fmt::format("of the groups called '{}' that of elements has the name, that of {} nodes is '{}'",
+                       groups[g].name, groups[g].nodes.size(), name));
     }
     std::vector<std::uint64_t> nodes = groups[g].nodes;
     // Gmsh does not keep them.
@@ -132,7 +133,7 @@ void set_groups(const std::vector<UnvGroup>& groups, io::MshContent& content) {
     Elements points{{0, entity}, point_type, {}, std::move(nodes)};
     for (std::size_t i = 0; i < points.nodes.size(); ++i) points.tags.push_back(++last);
     content.physicals[{0, entity}] = {number};
-    content.physical_names[{0, number}] = groups[g].name;
+    content.physical_names[{0, number}] = name;
     content.elements.push_back(std::move(points));
   }
 }

@@ -69,11 +69,12 @@ void tell_of_heat(const heat::Definition& all, const heat::Figures& figures, dou
   for (const heat::FilmFigures& film : figures.films)
     if (const double largest = jump(film.jumps); film.biot > coarse_biot && largest > 0)
       log::warning(
-          "heat: {} has the element Biot number {:.2g} (coefficient times size of the element over the conductivity), "
-          "and its fluid jumps by {:.3g}, or its coefficient so that as much heat flows: just after that, temperatures "
-          "one element "
-          "deep undershoot by some per cent "
-          "of it; elements of {:.2g} at that surface, or a ramp of the fluid, avoid it",
+          "heat: {} has the element Biot number {:.2g} (coefficient times size of the element over the conductivity). "
+          "Its "
+          "fluid jumps by {:.3g}, or its coefficient so that as much heat flows. Just after that, temperatures one "
+          "element "
+          "deep undershoot by some per cent of it. Elements of {:.2g} at that surface, or a ramp of the fluid, avoid "
+          "it",
           all.flows[film.flow].name, film.biot, largest, film.element_size / film.biot / 3);
 }
 

@@ -14,7 +14,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr double unknown_motion = 1e-9;  // of the largest eigenvalue, with rotations times the size of the nodes
 
-/// Components of a rigid motion in a section.
+/// Components of the motion of a rigid body in a section.
 std::array<bool, 6> components_of(const mesh::Section& section) {
   if (section.dimension() == 3) return {true, true, true, true, true, true};
   if (section.is_axisymmetric()) return {false, true, false, false, false, false};

@@ -1,5 +1,5 @@
 #pragma once
-/// The rigid motion of a reference point that fits the displacements of nodes best: [[rigid]], [[coupling]].
+/// The motion of a reference point that fits the displacements of nodes best: [[rigid]], [[coupling]].
 
 #include <Eigen/Core>
 #include <array>
@@ -25,9 +25,9 @@ WeightedNodes weighted_nodes(std::size_t body, const mesh::Mesh& mesh, const std
 WeightedNodes equally_weighted(std::size_t body, std::vector<std::int64_t> nodes);
 
 /// Displacement and small rotation about the origin, as linear functions of the displacements of nodes: the least
-/// squares of the weighted deviations from a rigid motion (Abaqus calls it a distributing coupling, Nastran RBE3). A
-/// force and a moment at the origin are distributed by the transposed functions. In plane sections only x, y and the
-/// rotation about z count, in axisymmetric ones only y.
+/// squares of the weighted deviations from the motion of a rigid body (Abaqus calls it a distributing coupling, Nastran
+/// RBE3). A force and a moment at the origin are distributed by the transposed functions. In plane sections only x, y
+/// and the rotation about z count, in axisymmetric ones only y.
 class MeanMotion {
  public:
   MeanMotion(const std::vector<WeightedNodes>& parts, const std::vector<mesh::Mesh>& meshes, const Vector3& origin);

@@ -6,7 +6,9 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/suggestion.hpp"
+#include "creepcontact/deck/mesh_of_deck.hpp"
 #include "creepcontact/io/msh/gmsh_reader.hpp"
+#include "creepcontact/io/msh/msh_content.hpp"
 #include "creepcontact/settings/mesh_formats.hpp"
 #include "model_parts.hpp"
 #include "surfaces.hpp"
@@ -58,6 +60,12 @@ mesh::Mesh read_mesh(const config::Config& config) {
     throw ModelError(fmt::format("{}'{}' is not a regular file; name {}", position, mesh.file.string(),
                                  settings::mesh_files_in_words));
   if (settings::is_cad_file(mesh.file.extension().string())) return read_cad_mesh(config);
+  if (mesh.file.extension() == ".inp") {
+    mesh::Mesh of_deck =
+        io::import_msh(deck::mesh_of_deck(mesh.file), mesh.file.string(), {config.analysis, mesh.thickness});
+    add_surfaces(config, of_deck);
+    return of_deck;
+  }
   mesh::Mesh result = io::read_mesh(mesh.file, {.order = mesh.order,
                                                 .parameters = mesh.parameters,
                                                 .time_limit = mesh.time_limit,

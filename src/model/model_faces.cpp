@@ -18,7 +18,7 @@ namespace creepcontact::model {
 namespace {
 
 constexpr double no_distance = 1e-6;    // of the size of the model
-constexpr double of_facets = 0.3;       // of the range of distances: what facets make of curved faces that touch
+constexpr double of_facets = 0.3;       // of the range of distances, between facets of curved faces that touch
 constexpr double narrow = 2e-3;         // of the size of the model
 constexpr double most_angle = 10;       // degrees
 constexpr double least_overlap = 0.05;  // of the smaller face

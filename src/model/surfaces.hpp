@@ -15,12 +15,12 @@ namespace creepcontact::model {
 std::string body_of_region(const config::Config& config, const std::string& region);
 
 /// Numbers of faces by the names of surfaces. @param patches  their bodies are regions
-/// @throws ModelError naming the place of each surface that is no face, and what the faces are
+/// @throws ModelError naming the place of each surface that means nothing, and what the faces are
 std::map<std::string, std::vector<int>> named_faces(const config::Config& config,
                                                     const std::vector<mesh::SurfacePatch>& patches,
                                                     const std::vector<Vector3>& nodes);
 
-/// Of a CAD model as a configuration has it, without cuts and names. @throws ModelError for a unit that CAD has not
+/// The request for a CAD model, without cuts and names. @throws ModelError for a unit that CAD has not
 io::CadRequest cad_request(const config::Config& config);
 /// The unit of the lengths of a CAD model: "mm".
 std::string unit_in_words(const config::Config& config);

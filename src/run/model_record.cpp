@@ -263,12 +263,11 @@ class Recorder {
       for (const config::Rigid& one : all) {
         std::vector<std::string> names;
         for (const config::Reference& on : one.on) names.push_back("'" + on.name + "'");
-        section.notes.push_back(
-            fmt::format("{} {}: {}", names.size() == 1 ? "Surface" : "Surfaces", fmt::join(names, ", "), what));
+        section.notes.push_back(fmt::format("{}: {}.", what, fmt::join(names, ", ")));
       }
     };
-    add_motions(config_.rigid, "one rigid motion.");
-    add_motions(config_.coupling, "the mean motion follows a point.");
+    add_motions(config_.rigid, "Surfaces that move as one rigid body");
+    add_motions(config_.coupling, "Surfaces whose mean motion follows a point");
     for (const config::Spring& spring : config_.springs)
       section.notes.push_back(fmt::format("Spring '{}': {}.", spring.name,
                                           spring.stiffness

@@ -1,5 +1,6 @@
 """The larger examples on coarse meshes: every force that a hand can work out is there, at every time."""
 
+import csv
 import math
 import pathlib
 import subprocess
@@ -42,6 +43,7 @@ class EveryExample(RunTest):
               "steam_pipe": dict(n_wall=4, n_length=4), "viscoelastic_indenter": dict(n_block=18, n_depth=10),
               "valve_seat_cycles": dict(size=3), "valve_startup": dict(size=16)}
     UNTIL_RUPTURE = ("omega_pipe",)
+    COARSE_CAD = {"valve_from_step": ("mesh.size=30", "mesh.sizes=[]")}
 
     def test_ends_with_the_default_integrator_at_any_tolerance(self):
         for config in sorted(CONFIGS.glob("*.toml")):
@@ -49,6 +51,7 @@ class EveryExample(RunTest):
                 with self.subTest(config.stem, tolerance=tolerance):
                     options = [f"time.tolerance={tolerance}", "output.fields=false"]
                     options += [f"mesh.parameters.{key}={value}" for key, value in self.COARSE.get(config.stem, {}).items()]
+                    options += self.COARSE_CAD.get(config.stem, ())
                     done = subprocess.run([PROGRAM, "run", str(config), "--output", str(self.output)] +
                                           [part for option in options for part in ("--set", option)],
                                           cwd=self.directory, capture_output=True, text=True, timeout=LONGEST)
@@ -58,6 +61,19 @@ class EveryExample(RunTest):
                     status = "ruptured" if config.stem in self.UNTIL_RUPTURE else "completed"
                     self.assertEqual((summary["status"], summary["integrator"]), (status, "auto"))
                     self.assertLessEqual(summary["convergence_failures"], summary["steps"] / 10)
+
+
+class ValveFromStep(ExampleTest):
+    def test_forces_balance(self):
+        done = subprocess.run([PROGRAM, "run", CONFIGS / "valve_from_step.toml", "--output", self.output, "--quiet"],
+                              cwd=self.directory, capture_output=True, text=True, timeout=LONGEST)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.output / "history.csv", newline="") as file:
+            rows = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+        for row in rows:
+            self.expect_close(row["stud_force"] - row["joint_force"], 10 * math.pi * 39.8**2 / 4, 1e-3)
+        self.expect_close(rows[0]["stud_force"], 1e5, 1e-9)
+        self.expect_close(rows[-1]["stud_force"], 33200, 0.02)
 
 
 class BoltedFlange(ExampleTest):

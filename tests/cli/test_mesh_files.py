@@ -401,7 +401,7 @@ on = "{probe}"
         return done.stdout + done.stderr
 
     def test_unv_groups_of_other_programs(self):
-        """A node of a group that no element has is left out; of groups with one name that of the elements is taken."""
+        """A node of a group that no element has is left out; of groups with one name that of nodes is told by its kind."""
         orphan = unv().replace("    -1\n    -1\n  2412", f"{99:10}{1:10}{1:10}{11:10}\n" + "   5.0000000000000000D-01" * 3 + "\n    -1\n    -1\n  2412", 1)
         self.assertIn("        99", orphan)
         group = f"{9:10}" + f"{0:10}" * 6 + f"{{n:10}}\n{{name}}\n" + "{members}\n    -1\n"
@@ -412,8 +412,23 @@ on = "{probe}"
         said = self.run_mesh("bar.unv", with_group(orphan, "all", [1, 99]), bar="bar", left="left", right="right")
         self.assertSays(said, "warning: ", "1 of 2 nodes", "'all'")
         said = self.run_mesh("bar.unv", with_group(unv(), "left", [1, 2]), bar="bar", left="left", right="right")
-        self.assertSays(said, "warning: ", "'left'", "2 nodes")
+        self.assertSays(said, "warning: ", "'left'", "2 nodes", "'left (nodes)'")
+        self.run_mesh("bar.unv", with_group(unv(), "left", [1, 2, 3, 4]), bar="bar", left="left (nodes)", right="right")
         self.run_mesh("bar.unv", with_group(orphan, "none", [99]), bar="bar", left="left", right="right")
+
+    def test_decks_as_meshes(self):
+        """Sets of elements, surfaces and sets of nodes; materials and steps of the deck do not count."""
+        nodes = "".join(f"{1 + k + 2 * j + 4 * i}, {i}, {j}, {k}\n" for i in range(3) for j in (0, 1) for k in (0, 1))
+        elements = "1, 1, 3, 4, 2, 5, 7, 8, 6\n2, 5, 7, 8, 6, 9, 11, 12, 10\n"
+        deck = (f"** a mesh alone\n*NODE, NSET=Nall\n{nodes}*ELEMENT, TYPE=C3D8, ELSET=Bar\n{elements}*NSET, NSET=Left\n1, 2, 3, 4\n"
+                "*SURFACE, NAME=Right, TYPE=ELEMENT\n2, S2\n")
+        self.run_mesh("bar.inp", deck, bar="Bar", left="Left", right="Right")
+        # of a mesh program: the faces on the right are elements too, in a set of theirs
+        faces = "*ELEMENT, TYPE=CPS4, ELSET=right faces\n3, 9, 10, 12, 11\n*ELEMENT, TYPE=T3D2, ELSET=edge\n4, 1, 2\n"
+        said = self.run_mesh("salome.inp", deck + faces, bar="Bar", left="Left", right="right faces")
+        self.assertSays(said, "warning: ", "salome.inp", "left out")
+        finished = deck + "*MATERIAL, NAME=M\n*ELASTIC\n1., 0.\n*SOLID SECTION, ELSET=Bar, MATERIAL=M\n*STEP\n*STATIC\n*END STEP\n"
+        self.run_mesh("finished.inp", finished, bar="Bar", left="Left", right="Right")
 
     def test_unv_with_groups(self):
         self.run_mesh("bar.unv", unv(), bar="bar", left="left", right="right")

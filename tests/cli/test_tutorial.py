@@ -90,7 +90,8 @@ class Tutorial(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.directory = pathlib.Path(scratch.name)
         self.text = (DOCS / f"{self.page}.md").read_text(encoding="utf-8")
-        self.there = {path.name: path.read_text(encoding="utf-8") for path in (DOCS / self.page).iterdir()}
+        directory = DOCS / self.page
+        self.there = {path.name: path.read_text(encoding="utf-8") for path in (directory.iterdir() if directory.exists() else ())}
 
     def run_command(self, command):
         environment = {**os.environ, "OMP_NUM_THREADS": "1", "PATH": f"{self.directory / 'bin'}:{os.environ['PATH']}"}
@@ -146,6 +147,15 @@ class DeckTutorial(Tutorial):
 
 class HeatTutorial(Tutorial):
     page, directory_name, pictures, commands, copied = "tutorial_heat", "hot_fit", 1, 18, True
+
+
+class CadTutorial(Tutorial):
+    page, directory_name, pictures, commands, copied = "tutorial_cad", "valve", 1, 9, True
+    sources = DOCS.parent / "configs"
+
+    def setUp(self):
+        super().setUp()
+        self.there = {path.name: path.read_text(encoding="utf-8") for path in self.sources.glob("valve_from_step.*")}
 
 
 class Comparison(unittest.TestCase):

@@ -75,7 +75,7 @@ class Function {
   std::vector<double> breakpoints() const;
   /// Likewise, with all repetitions of a periodic table up to `end`.
   std::vector<double> breakpoints(double end) const;
-  /// Of a periodic table in t; nullopt for other functions.
+  /// The period of a periodic table in t; nullopt for other functions.
   std::optional<double> period() const;
   /// First and last abscissa of a table in this variable; nullopt for other functions.
   std::optional<Interval> table_range(const std::string& variable) const;

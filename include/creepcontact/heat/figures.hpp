@@ -16,7 +16,7 @@ struct HeatingThrough {
   double time = 0;   ///< of the run: depth squared over the diffusivity
 };
 
-/// Of a temperature that acts on a body.
+/// How a temperature that acts on a body jumps.
 struct Jumps {
   double first = 0;  ///< against the body, at the start
   double later = 0;  ///< the largest one of a table in t

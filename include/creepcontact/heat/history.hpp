@@ -15,7 +15,8 @@ namespace creepcontact::heat {
 struct History {
   std::vector<double> times;
   std::vector<std::vector<double>> values, rates_before, rates_after;  ///< [time][unknown]
-  std::vector<double> kinks;     ///< of the run, those at which the integration starts again; others are no times
+  std::vector<double>
+      kinks;  ///< of the run, those at which the integration starts again; up to the last time they are among the times
   std::optional<double> period;  ///< of the course beyond the last time
   long n_steps = 0;
 };

@@ -17,7 +17,7 @@ struct FaceWords {
   std::string measures;              ///< "radius 30, axis z through (0, 0, 5); area 942"
   std::vector<std::string> next_to;  ///< "gap 0.02: 8 of 'pin'"
 };
-/// By the patches.
+/// Indexed like the patches.
 std::vector<FaceWords> face_words(const model::ModelFaces& faces);
 
 /// A table per body. @param most  faces that are listed; the rest is counted

@@ -23,13 +23,12 @@ constexpr bool is_cad_file(std::string_view extension) {
                              [&](std::string_view known) { return std::ranges::equal(extension, known, {}, lower); });
 }
 constexpr bool is_mesh_file(std::string_view extension) {
-  return extension == ".geo" || extension == ".msh" || is_converted_mesh(extension) || is_cad_file(extension);
+  return extension == ".geo" || extension == ".msh" || extension == ".inp" || is_converted_mesh(extension) || is_cad_file(extension);
 }
-constexpr std::string_view mesh_files_in_words = "a .geo, .step, .iges, .brep, .msh, .unv, .bdf or .nas file";
+constexpr std::string_view mesh_files_in_words = "a .geo, .step, .iges, .brep, .msh, .inp, .unv, .bdf or .nas file";
 
 /// What to do with a file that is none of these; empty if nothing is known.
 constexpr std::string_view mesh_file_remedy(std::string_view extension) {
-  if (extension == ".inp") return "; `creepcontact import` makes a mesh and a configuration of a deck";
   if (extension == ".med") return "; let Salome write .unv, which keeps its groups";
   return "";
 }

@@ -59,6 +59,17 @@ void MesherLog::end() {
   unfinished_.clear();
 }
 
+namespace {
+
+/// Gmsh's frame around the warnings that it has told before.
+bool is_summary(const std::string& warning) {
+  return warning.starts_with("---") || warning.starts_with("Mesh generation error summary") ||
+         warning.starts_with("Check the full log") || warning.ends_with(" warning") || warning.ends_with(" warnings") ||
+         warning.ends_with(" error") || warning.ends_with(" errors");
+}
+
+}  // namespace
+
 void MesherLog::take(const std::string& line) {
   if (line.starts_with(mesher::mark)) {
     own_.push_back(line.substr(std::string_view(mesher::mark).size()));
@@ -68,7 +79,7 @@ void MesherLog::take(const std::string& line) {
     lacks_memory_ |= text.starts_with("Out of memory");
     lacks_descriptors_ |= text.starts_with("Unable to open file '") && std::filesystem::exists(quoted(text));
     if (++n_errors_ <= errors_told) errors_.push_back(text);
-  } else if (const std::string warning = text_behind(line, "Warning"); !warning.empty()) {
+  } else if (const std::string warning = text_behind(line, "Warning"); !warning.empty() && !is_summary(warning)) {
     const std::string kind = without_numbers(warning);
     if (const auto known = std::ranges::find(warnings_, kind, &Warning::kind); known != warnings_.end())
       ++known->count;

@@ -196,8 +196,8 @@ TEST(ConfigMistakes, Bodies) {
 TEST(ConfigMistakes, Mesh) {
   expect_mistake(
       minimal,
-      {"--set mesh.file=block.inp: mesh.file: ", "'block.inp'", ".geo, .msh, .unv, .bdf", "creepcontact import"},
-      {"mesh.file=block.inp"});
+      {"--set mesh.file=block.med: mesh.file: ", "'block.med'", ".geo, .step", ".inp, .unv, .bdf", "Salome"},
+      {"mesh.file=block.med"});
   expect_mistake(minimal, {"--set mesh.order=2: mesh.order: ", ".geo"}, {"mesh.order=2"});
 }
 
