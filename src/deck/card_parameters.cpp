@@ -86,8 +86,7 @@ std::map<std::string, List> lists() {
   of["NODE"] = taken({"NSET"}) + only("SYSTEM", {"R"}) + refused({"INPUT"}, of_files);
   of["ELEMENT"] = taken({"TYPE", "ELSET"}) + refused({"INPUT", "FILE"}, of_files);
   of["NSET"] = taken({"NSET", "GENERATE", "INSTANCE"}) + ignored({"UNSORTED", "INTERNAL"}) +
-               left_out({"FREQUENCY"}, "it counts for output only") +
-               refused({"ELSET"}, "sets of the nodes of elements are not known; list the nodes");
+               left_out({"FREQUENCY"}, "it counts for output only") + taken({"ELSET"});
   of["ELSET"] = taken({"ELSET", "GENERATE", "INSTANCE"}) + ignored({"UNSORTED", "INTERNAL"}) +
                 left_out({"FREQUENCY"}, "it counts for output only");
   of["SURFACE"] = taken({"NAME"}) + one_of("TYPE", {"ELEMENT", "NODE"}) + ignored({"INTERNAL"}) +
