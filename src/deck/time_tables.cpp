@@ -75,6 +75,7 @@ std::set<double> sudden_times(const Loading& loading) {
   for (const auto& [node, course] : loading.temperatures) add(course);
   for (const Loading::Body& load : loading.bodies) add(load.course);
   for (const auto& [node, course] : loading.heat.temperatures) add(course);
+  for (const auto& [node, lock] : loading.locked) times.insert(lock.time);
   for (const auto& [key, windows] : loading.windows)
     for (const Window& window : windows)
       for (const auto& time : {window.from, window.until})
