@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "contact_adjustment.hpp"
+#include "contact_changes.hpp"
 #include "draft.hpp"
 #include "element_faces.hpp"
 #include "gasket_tables.hpp"
+#include "general_contact.hpp"
 #include "node_to_face_ties.hpp"
 
 namespace creepcontact::deck {
@@ -29,6 +31,7 @@ class ContactMaker {
 
   void make() {
     read_interactions();
+    removals_ = removals_of_pairs(draft_);
     for (const RawCard* raw : draft_.cards("CONTACT PAIR")) contact_pair(*raw);
     general_contact();
     for (const RawCard* raw : draft_.cards("TIE")) tie(*raw);
@@ -190,8 +193,9 @@ class ContactMaker {
       draft_.refuse(raw, fmt::format("there is no surface '{}'", name));
       return {};
     }
+    const std::size_t n_reasons = draft_.impossible.size();
     std::vector<ElementFace> found = faces_of(deck, made, draft_.impossible);
-    if (found.empty())
+    if (found.empty() && draft_.impossible.size() == n_reasons)
       draft_.refuse(
           raw, fmt::format("the surface '{}' has no faces: no face of an element has all its corners in it", name));
     return found;
@@ -230,7 +234,7 @@ class ContactMaker {
 
   /// Whether a pair is new. One that repeats another, or turns it round, says nothing more.
   bool is_new_pair(const RawCard& raw, const std::string& slave, const std::string& master, const std::string& kind) {
-    const auto known = pairs_.try_emplace(std::minmax({upper_case(slave), upper_case(master)}), kind);
+    const auto known = pairs_.try_emplace(surface_pair(slave, master), kind);
     if (known.second) return true;
     if (known.first->second == kind)
       draft_.left_out.push_back(
@@ -245,16 +249,43 @@ class ContactMaker {
             const std::string& kind) {
     if (!is_new_pair(raw, slave, master, kind)) return;
     const std::string other = surface(raw, master), own = surface(raw, slave);
+    const auto removed = removals_.find(surface_pair(slave, master));
     if (interaction.tied || raw.card.has("TIED")) {
+      if (removed != removals_.end()) draft_.refuse(raw, "a tied pair that *MODEL CHANGE removes or adds is not known");
       require_near(raw, slave, master);
       return tied(raw.card.place, raw.card.name, own, other);
     }
     config::Contact made = contact(own, other);
-    const std::string why = set_gap(raw, slave, master, made);
+    std::string why = set_gap(raw, slave, master, made);
+    if (removed != removals_.end()) why += remove_for_a_time(raw, slave, master, removed->second, made);
     if (!interaction.gasket.empty()) made.gasket = {interaction.gasket};
     if (!interaction.friction.is_zero()) made.friction = interaction.friction.function();
     set_conductance(interaction.conductance, made);
     draft_.comment(add(std::move(made), raw.card.place, raw.card.name) + ".gap", why);
+  }
+
+  /// A pair that is removed is far apart. @returns what to say of it
+  std::string remove_for_a_time(const RawCard& raw, const std::string& slave, const std::string& master,
+                                const Course& removed, config::Contact& made) {
+    double present = made.gap(Arguments{});
+    if (made.geometric_gap) {
+      const auto even = even_distance(draft_.deck, faces(raw, slave), faces(raw, master));
+      if (!even)
+        draft_.refuse(raw,
+                      "*MODEL CHANGE removes or adds the pair, whose distance in the mesh is not the same everywhere; "
+                      "give it ADJUST or *CLEARANCE");
+      present = rounded(even.value_or(0));
+      made.geometric_gap = false;
+    }
+    const double far = rounded(distance_of_removed(draft_.deck));
+    Course gap;
+    gap.add(0, present);
+    for (const auto& [time, is_removed] : removed.points()) gap.add(time, is_removed > 0 ? far : present);
+    gap.add(draft_.loading.end, gap.last());
+    made.gap = gap.function();
+    if (draft_.deck.conducts())
+      draft_.left_out.push_back({raw.card.place, raw.card.name, "heat crosses the pair also while it is removed"});
+    return fmt::format("; {:g}, the size of the model, while *MODEL CHANGE has removed the pair", far);
   }
 
   void contact_pair(const RawCard& raw) {
@@ -269,29 +300,143 @@ class ContactMaker {
     }
   }
 
-  /// General *CONTACT whose surfaces are named in pairs.
+  /// General *CONTACT: pairs of surfaces that it names, and what faces each other.
   void general_contact() {
     const auto inclusions = draft_.cards("CONTACT INCLUSIONS");
     if (inclusions.empty())
       for (const RawCard* raw : draft_.cards("CONTACT"))
         draft_.refuse(*raw,
-                      "contact of all surfaces with each other is not known; name the surfaces that may touch "
-                      "with *CONTACT PAIR, or in pairs below *CONTACT INCLUSIONS");
+                      "it says which surfaces may touch by *CONTACT INCLUSIONS: ALL EXTERIOR for all surfaces, or "
+                      "the names of two in a line");
     for (const RawCard* raw : inclusions)
-      for (const std::vector<std::string>& line : raw->data) {
-        if (line.size() < 2 || line[0].empty() || line[1].empty() || upper_case(line[0]) == upper_case(line[1])) {
-          draft_.refuse(*raw,
-                        "contact of a surface with itself or with all others is not known; expected the names of "
-                        "two surfaces");
-          continue;
+      for (const std::vector<std::string>& line : raw->data)
+        if (names_two_surfaces(line)) named_pair(*raw, line[0], line[1]);
+    if (!inclusions.empty()) facing_pieces(*inclusions.front());
+  }
+
+  void named_pair(const RawCard& raw, const std::string& slave, const std::string& master) {
+    if (is_excluded(raw, slave, master)) {
+      draft_.left_out.push_back(
+          {raw.card.place, raw.card.name,
+           fmt::format("the pair of '{}' and '{}', which *CONTACT EXCLUSIONS takes out", slave, master)});
+      return;
+    }
+    const std::string property = property_of(slave, master);
+    const auto found = interactions_.find(upper_case(property));
+    if (!property.empty() && found == interactions_.end())
+      draft_.refuse(raw, fmt::format("there is no *SURFACE INTERACTION '{}'", property));
+    else
+      pair(raw, slave, master, property.empty() ? Interaction{} : found->second, upper_case(property));
+  }
+
+  /// Whether *CONTACT EXCLUSIONS takes out a pair as a whole; a part of it is refused.
+  bool is_excluded(const RawCard& raw, const std::string& slave, const std::string& master) {
+    const std::vector<ElementFace> own = faces(raw, slave), other = faces(raw, master);
+    // How many of some faces are in a surface; all of them if it has no name.
+    const auto n_in = [&](const std::vector<ElementFace>& some, const RawCard& exclusions, const std::string& name) {
+      if (name.empty()) return some.size();
+      const std::vector<ElementFace> all = faces(exclusions, name);
+      return static_cast<std::size_t>(
+          std::ranges::count_if(some, [&](const ElementFace& face) { return std::ranges::binary_search(all, face); }));
+    };
+    for (const RawCard* exclusions : draft_.cards("CONTACT EXCLUSIONS"))
+      for (const std::vector<std::string>& line : exclusions->data) {
+        const std::string first = line.empty() ? "" : line[0];
+        const std::string second = line.size() < 2 || line[1].empty() ? (line.size() < 2 ? first : "") : line[1];
+        for (const auto& [a, b] : {std::pair(first, second), std::pair(second, first)}) {
+          const std::size_t n_own = n_in(own, *exclusions, a), n_other = n_in(other, *exclusions, b);
+          if (n_own == own.size() && n_other == other.size()) return true;
+          if (n_own > 0 && n_other > 0)
+            draft_.refuse(*exclusions, fmt::format("it takes out a part of the pair of '{}' and '{}'; name surfaces "
+                                                   "that may touch as a whole",
+                                                   slave, master));
         }
-        const std::string property = property_of(line[0], line[1]);
-        const auto found = interactions_.find(upper_case(property));
-        if (!property.empty() && found == interactions_.end())
-          draft_.refuse(*raw, fmt::format("there is no *SURFACE INTERACTION '{}'", property));
-        else
-          pair(*raw, line[0], line[1], property.empty() ? Interaction{} : found->second, upper_case(property));
       }
+    return false;
+  }
+
+  /// What *CONTACT INCLUSIONS does not name in pairs.
+  void facing_pieces(const RawCard& first) {
+    const std::vector<FacingSurfaces> found = find_general_contacts(draft_.deck, draft_.bodies, draft_.analysis,
+                                                                    tied_faces(), joined_faces(), draft_.impossible);
+    const bool is_asked_for = std::ranges::any_of(draft_.cards("CONTACT INCLUSIONS"), [](const RawCard* raw) {
+      return raw->card.has("ALLEXTERIOR") || !std::ranges::all_of(raw->data, names_two_surfaces);
+    });
+    if (!is_asked_for) return;
+    draft_.left_out.push_back({first.card.place, first.card.name, "contact of a body with itself"});
+    if (found.empty())
+      draft_.left_out.push_back({first.card.place, first.card.name,
+                                 "no outer faces of two bodies face each other within a fiftieth of the size of the "
+                                 "smaller body: there is no contact; *CONTACT PAIR names surfaces farther apart"});
+    for (const FacingSurfaces& one : found) facing(one);
+  }
+
+  void facing(const FacingSurfaces& one) {
+    const auto refuse = [&](const std::string& why) {
+      draft_.impossible.push_back({one.place, "CONTACT INCLUSIONS", why});
+    };
+    const auto interaction = interactions_.find(upper_case(one.interaction));
+    if (!one.interaction.empty() && interaction == interactions_.end())
+      return refuse(fmt::format("there is no *SURFACE INTERACTION '{}'", one.interaction));
+    const Interaction law = one.interaction.empty() ? Interaction{} : interaction->second;
+    std::array<std::string, 2> groups;
+    for (std::size_t i = 0; i < 2; ++i) {
+      std::string& known = pieces_[one.faces[i]];
+      if (known.empty()) known = draft_.mesh.add_faces(one.bodies[i] + "_face", one.faces[i]);
+      groups[i] = known;
+    }
+    config::Contact made = contact(groups[0], groups[1]);
+    made.name = fmt::format("{}-{}", groups[0], groups[1]);
+    // Abaqus moves surfaces that overlap a little, as facets of curved ones do, until they touch.
+    made.geometric_gap = one.least >= 0 || one.largest > -one.least;
+    if (law.tied) {
+      made.type = config::ContactType::tied;
+      made.geometric_gap = false;
+    } else {
+      if (!law.gasket.empty()) made.gasket = {law.gasket};
+      if (!law.friction.is_zero()) made.friction = law.friction.function();
+      set_conductance(law.conductance, made);
+    }
+    const std::string distance = one.largest - one.least <= 1e-9 * std::abs(one.largest)
+                                     ? fmt::format("{:.4g}", one.least)
+                                     : fmt::format("{:.4g} to {:.4g}", one.least, one.largest);
+    draft_.found.push_back(
+        {one.place, "CONTACT INCLUSIONS",
+         fmt::format("contact '{}' of {} with {} faces; distance in the mesh {}{}", made.name, one.faces[0].size(),
+                     one.faces[1].size(), distance,
+                     one.least < 0 && !law.tied
+                         ? (made.geometric_gap ? ", an interference where it is negative" : ", taken as touching")
+                         : "")});
+    const bool is_tied = law.tied;
+    const std::string key = add(std::move(made), one.place, "CONTACT INCLUSIONS");
+    if (!is_tied) draft_.comment(key + ".gap", "distance in the mesh: " + distance);
+  }
+
+  /// Faces that touch nothing else: of slave surfaces of ties, and of cuts through bolts.
+  std::vector<ElementFace> tied_faces() {
+    std::vector<ElementFace> all;
+    const auto add = [&](const std::vector<ElementFace>& some) { all.insert(all.end(), some.begin(), some.end()); };
+    for (const RawCard* raw : draft_.cards("TIE"))
+      for (const std::vector<std::string>& line : raw->data)
+        if (!line.empty()) add(faces(*raw, line[0]));
+    for (const PretensionSection& section : draft_.sections) {
+      add(section.faces);
+      add(section.opposite);
+    }
+    return all;
+  }
+
+  std::vector<JoinedFaces> joined_faces() {
+    std::vector<JoinedFaces> all;
+    for (const char* card : {"CONTACT PAIR", "CONTACT INCLUSIONS"})
+      for (const RawCard* raw : draft_.cards(card))
+        for (const std::vector<std::string>& line : raw->data)
+          if (names_two_surfaces(line)) all.push_back({faces(*raw, line[0]), faces(*raw, line[1])});
+    for (const GasketLayer& layer : draft_.gaskets) {
+      all.push_back({layer.faces[0], layer.faces[1]});
+      for (std::vector<ElementFace>& faces : all.back()) std::ranges::sort(faces);
+    }
+    return all;
   }
 
   /// The last assignment to a pair, or to all; empty: none.
@@ -436,16 +581,17 @@ class ContactMaker {
   }
 
   void preload(const PretensionSection& section, double force, double time) {
-    const std::string own = draft_.mesh.add_faces("bolt_section", section.faces);
-    const std::string other = draft_.mesh.add_faces("bolt_section_opposite", section.opposite);
+    const auto& [own, other] = draft_.groups_of(section);
     tied(section.place, "PRE-TENSION SECTION", own, other, config::Preload{rounded(force), rounded(time)});
   }
 
   Draft& draft_;
   std::map<std::string, Interaction> interactions_;
-  std::map<std::string, std::string> surfaces_;  // written, by name in upper case: name of the group
-  std::map<std::pair<std::string, std::string>, std::string> pairs_;  // of surfaces, in upper case: their contact
-  Interaction* own_ = nullptr;                                        // to which *FRICTION belongs
+  std::map<std::string, std::string> surfaces_;             // written, by name in upper case: name of the group
+  std::map<SurfacePair, std::string> pairs_;                // their contact
+  std::map<std::vector<ElementFace>, std::string> pieces_;  // of general contact: names of their groups
+  Removals removals_;
+  Interaction* own_ = nullptr;  // to which *FRICTION belongs
 };
 
 }  // namespace

@@ -125,10 +125,12 @@ Import make(Draft& draft) {
   make_probes(draft);
   raise(draft);
   sort(draft.left_out);
-  Import result{std::move(draft.config), std::move(draft.comments), "", std::move(draft.temperatures), {}};
+  Import result{std::move(draft.config), std::move(draft.comments), "", std::move(draft.temperatures), {}, {}};
   std::string& heading = result.comments.above[""];
   heading = fmt::format("Made of {} by creepcontact import. The units are those of the deck.",
                         toml_string(draft.name + ".inp"));
+  for (const Note& note : draft.found)
+    result.found.push_back(fmt::format("{}*{}: {}", prefix(note.place), note.card, note.consequence));
   for (const Note& note : draft.left_out) {
     result.left_out.push_back(fmt::format("{}*{}: {}", prefix(note.place), note.card, note.consequence));
     heading += "\nLeft out: " + result.left_out.back();

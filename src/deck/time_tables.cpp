@@ -90,7 +90,8 @@ void make_time(Draft& draft) {
   constexpr double just_before = 1e-9;  // of the time
   std::set<double> times(draft.loading.step_ends.begin(), draft.loading.step_ends.end());
   times.erase(0);
-  const std::set<double> sudden = sudden_times(draft.loading);
+  std::set<double> sudden = sudden_times(draft.loading);
+  sudden.insert(draft.changes.begin(), draft.changes.end());
   for (const double time : times) {
     const bool is_sudden = time != draft.loading.end && sudden.contains(time);
     draft.config.time.output.push_back(rounded(is_sudden ? time * (1 - just_before) : time));
