@@ -21,7 +21,8 @@ Removals removals_of_pairs(Draft& draft);
 
 /// A distance larger than any displacement: the size of the model.
 double distance_of_removed(const Deck& deck);
-/// The distance of two surfaces if it is the same all over the slave; negative where they overlap.
+/// Precondition: both have faces. The distance of two surfaces if it is the same all over the slave; negative where
+/// they overlap.
 std::optional<double> even_distance(const Deck& deck, const std::vector<ElementFace>& slave,
                                     const std::vector<ElementFace>& master);
 

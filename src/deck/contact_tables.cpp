@@ -12,25 +12,18 @@
 #include "element_faces.hpp"
 #include "gasket_tables.hpp"
 #include "general_contact.hpp"
+#include "interactions.hpp"
 #include "node_to_face_ties.hpp"
 
 namespace creepcontact::deck {
 namespace {
-
-struct Interaction {
-  Course friction;
-  bool tied = false;
-  std::string name = {};
-  std::string gasket = {};  ///< of the configuration
-  std::optional<Function> conductance = {};
-};
 
 class ContactMaker {
  public:
   explicit ContactMaker(Draft& draft) : draft_(draft) {}
 
   void make() {
-    read_interactions();
+    interactions_ = read_interactions(draft_);
     removals_ = removals_of_pairs(draft_);
     for (const RawCard* raw : draft_.cards("CONTACT PAIR")) contact_pair(*raw);
     general_contact();
@@ -40,144 +33,12 @@ class ContactMaker {
   }
 
  private:
-  void read_interactions() {
-    for (const RawCard& raw : draft_.deck.cards) read_interaction(raw, 0);
-    for (std::size_t s = 0; s < draft_.deck.steps.size(); ++s) {
-      own_ = nullptr;
-      for (const RawCard& raw : draft_.deck.steps[s].cards)
-        read_interaction(raw, s == 0 ? 0 : draft_.loading.step_ends[s - 1]);
-    }
-  }
-
-  void read_interaction(const RawCard& raw, double time) {
-    if (raw.card.name == "SURFACE INTERACTION") {
-      const auto [made, is_new] = interactions_.try_emplace(upper_case(raw.card.value("NAME")));
-      if (!is_new) draft_.refuse(raw, fmt::format("'{}' exists already", raw.card.value("NAME")));
-      own_ = &made->second;
-      own_->name = raw.card.value("NAME");
-    }
-    if (raw.card.name == "CHANGE FRICTION") {
-      const auto found = interactions_.find(upper_case(raw.card.value("INTERACTION")));
-      own_ = found == interactions_.end() ? nullptr : &found->second;
-      if (own_ == nullptr)
-        draft_.refuse(raw, fmt::format("there is no *SURFACE INTERACTION '{}'", raw.card.value("INTERACTION")));
-    }
-    const bool is_friction = raw.card.name == "FRICTION", is_of_heat = raw.card.name == "GAP CONDUCTANCE";
-    if (!is_friction && !is_of_heat && raw.card.name != "SURFACE BEHAVIOR") return;
-    if (own_ == nullptr)
-      return draft_.refuse(raw, is_friction
-                                    ? "it belongs below *SURFACE INTERACTION, or in a step below *CHANGE FRICTION"
-                                    : "it belongs below *SURFACE INTERACTION");
-    if (is_friction) return friction(raw, time);
-    if (is_of_heat) return conductance(raw);
-    const std::string kind = upper_case(raw.card.value("PRESSURE-OVERCLOSURE"));
-    own_->tied = kind == "TIED";
-    if (kind == "TABULAR") return curve(raw);
-    if (kind != "HARD" && kind != "TIED")
-      draft_.left_out.push_back({raw.card.place, raw.card.name,
-                                 fmt::format("{}: contact is hard here, without penetration",
-                                             kind.empty() ? "pressure over overclosure" : kind)});
-  }
-
-  /// Rows of the conductance, the pressure and the temperature, over one of the two.
-  void conductance(const RawCard& raw) {
-    if (!draft_.deck.conducts()) {
-      draft_.left_out.push_back({raw.card.place, raw.card.name, "it does not act, for no step computes temperatures"});
-      return;
-    }
-    std::vector<std::array<double, 3>> rows;
-    for (const std::vector<std::string>& line : raw.data) {
-      std::array<double, 3> row{};
-      for (std::size_t i = 0; i < std::min<std::size_t>(line.size(), 3); ++i) {
-        const auto given = line[i].empty() ? 0.0 : number(line[i]);
-        if (!given) return draft_.refuse(raw, fmt::format("'{}' is not a number", line[i]));
-        row[i] = *given;
-      }
-      if (line.size() > 3)
-        return draft_.refuse(raw, "expected rows of the conductance, the contact pressure and the temperature");
-      rows.push_back(row);
-    }
-    if (rows.empty()) return draft_.refuse(raw, "expected rows of the conductance, the pressure and the temperature");
-    const auto varies = [&](std::size_t column) {
-      return std::ranges::any_of(rows, [&](const auto& row) { return row[column] != rows.front()[column]; });
-    };
-    if (varies(1) && varies(2))
-      return draft_.refuse(raw,
-                           "a conductance that depends on the pressure and on the temperature; write it as an "
-                           "expression of p and T, after an import with the rows of one temperature");
-    if (varies(1) && !draft_.deck.deforms())
-      return draft_.refuse(raw, "it depends on the contact pressure, and no step computes displacements");
-    const std::size_t of = varies(1) ? 1 : 2;
-    draft_.couples = draft_.couples || of == 1;
-    std::vector<double> at, values;
-    for (const auto& row : rows) {
-      at.push_back(rounded(row[of]));
-      values.push_back(rounded(row[0]));
-    }
-    if (!is_increasing(at))
-      return draft_.refuse(raw,
-                           fmt::format("the {} must increase from line to line", of == 1 ? "pressure" : "temperature"));
-    own_->conductance = at.size() == 1 ? Function(values.front())
-                                       : Function::table(of == 1 ? "p" : "T", std::move(at), std::move(values));
-    if (of == 1 && !raw.card.has("PRESSURE"))
-      draft_.left_out.push_back(
-          {raw.card.place, raw.card.name,
-           "the second column is the contact pressure, as in CalculiX; without PRESSURE it is the clearance in Abaqus: "
-           "then write 'gap' for 'p' in the conductance"});
-  }
-
   /// Heat does not cross a contact of which nothing is said.
   void set_conductance(const std::optional<Function>& given, config::Contact& made) const {
     using Kind = config::Conductance::Kind;
     if (!draft_.deck.conducts()) return;
     made.conductance.kind = given ? Kind::function : Kind::insulated;
     if (given) made.conductance.value = *given;
-  }
-
-  /// Rows of pressure and overclosure: a gasket that has no thickness of its own.
-  void curve(const RawCard& raw) {
-    config::GasketCurve curve;
-    std::string temperature;
-    for (const std::vector<std::string>& line : raw.data) {
-      const auto pressure = line.empty() ? std::nullopt : number(line[0]);
-      const auto overclosure = line.size() < 2 ? std::nullopt : number(line[1]);
-      if (!pressure || !overclosure) return draft_.refuse(raw, "expected rows of a pressure and an overclosure");
-      if (line.size() > 2 && !line[2].empty() && std::exchange(temperature, line[2]) != line[2] &&
-          !curve.closure.empty())
-        return draft_.refuse(raw,
-                             "a curve that depends on the temperature; give one [gaskets.<name>] by hand, whose "
-                             "'loading' takes several");
-      curve.pressure.push_back(pressure.value_or(0));
-      curve.closure.push_back(rounded(overclosure.value_or(0)));
-    }
-    if (curve.pressure.size() < 2 || curve.pressure.front() != 0 || !is_increasing(curve.pressure) ||
-        !is_increasing(curve.closure))
-      return draft_.refuse(raw, "expected at least two rows that increase, the first one with the pressure 0");
-    own_->gasket = name_of_gasket(draft_, own_->name);
-    config::Gasket made;
-    made.name = own_->gasket;
-    made.thickness = 1;
-    made.loading = {std::move(curve)};
-    draft_.config.gaskets.push_back(std::move(made));
-    const std::string key = "gaskets." + own_->gasket;
-    draft_.comment(key, raw.card.place.text() + ": *SURFACE BEHAVIOR");
-    draft_.comment(key + ".thickness", "does not matter here: the curve is one of closures");
-  }
-
-  /// Rows of a coefficient and what it depends on; in CalculiX the stiffness of sticking, which is infinite here.
-  void friction(const RawCard& raw, double time) {
-    std::optional<double> coefficient;
-    for (std::size_t line = 0; line < raw.data.size(); ++line) {
-      const auto given = raw.data[line].empty() ? std::nullopt : number(raw.data[line][0]);
-      if (!given)
-        return draft_.refuse(raw, fmt::format("'{}' is not a number", raw.data[line].empty() ? "" : raw.data[line][0]));
-      if (coefficient && *coefficient != *given)
-        return draft_.refuse(raw,
-                             "coefficients that depend on the slip, the pressure or the temperature are not known");
-      coefficient = given;
-    }
-    if (time > 0) own_->friction.add(time, own_->friction.last());  // a jump
-    own_->friction.add(time, coefficient.value_or(0));
   }
 
   /// Returns the faces of a surface, or of a set of nodes; none if that cannot be.
@@ -269,7 +130,9 @@ class ContactMaker {
                                 const Course& removed, config::Contact& made) {
     double present = made.gap(Arguments{});
     if (made.geometric_gap) {
-      const auto even = even_distance(draft_.deck, faces(raw, slave), faces(raw, master));
+      const std::vector<ElementFace> own = faces(raw, slave), other = faces(raw, master);
+      if (own.empty() || other.empty()) return "";
+      const auto even = even_distance(draft_.deck, own, other);
       if (!even)
         draft_.refuse(raw,
                       "*MODEL CHANGE removes or adds the pair, whose distance in the mesh is not the same everywhere; "
@@ -388,18 +251,19 @@ class ContactMaker {
     config::Contact made = contact(groups[0], groups[1]);
     made.name = fmt::format("{}-{}", groups[0], groups[1]);
     // Abaqus moves surfaces that overlap a little, as facets of curved ones do, until they touch.
-    made.geometric_gap = one.least >= 0 || one.largest > -one.least;
+    made.geometric_gap = !one.is_even && (one.least >= 0 || one.largest > -one.least);
+    if (one.is_even) made.gap = std::max(std::stod(fmt::format("{:.9g}", one.least)), 0.0);
     if (law.tied) {
       made.type = config::ContactType::tied;
       made.geometric_gap = false;
+      made.gap = 0.0;
     } else {
       if (!law.gasket.empty()) made.gasket = {law.gasket};
       if (!law.friction.is_zero()) made.friction = law.friction.function();
       set_conductance(law.conductance, made);
     }
-    const std::string distance = one.largest - one.least <= 1e-9 * std::abs(one.largest)
-                                     ? fmt::format("{:.4g}", one.least)
-                                     : fmt::format("{:.4g} to {:.4g}", one.least, one.largest);
+    const std::string distance =
+        one.is_even ? fmt::format("{:.4g}", one.least) : fmt::format("{:.4g} to {:.4g}", one.least, one.largest);
     draft_.found.push_back(
         {one.place, "CONTACT INCLUSIONS",
          fmt::format("contact '{}' of {} with {} faces; distance in the mesh {}{}", made.name, one.faces[0].size(),
@@ -586,12 +450,11 @@ class ContactMaker {
   }
 
   Draft& draft_;
-  std::map<std::string, Interaction> interactions_;
+  Interactions interactions_;
   std::map<std::string, std::string> surfaces_;             // written, by name in upper case: name of the group
   std::map<SurfacePair, std::string> pairs_;                // their contact
   std::map<std::vector<ElementFace>, std::string> pieces_;  // of general contact: names of their groups
   Removals removals_;
-  Interaction* own_ = nullptr;  // to which *FRICTION belongs
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -30,13 +31,16 @@ struct Piece {
 class GeneralContact {
  public:
   GeneralContact(const Deck& deck, const Bodies& bodies, settings::Analysis analysis, std::vector<Note>& impossible)
-      : deck_(deck), bodies_(bodies), analysis_(analysis), impossible_(impossible) {}
+      : deck_(deck), bodies_(bodies), impossible_(impossible) {
+    mesh_.section.analysis = analysis;
+  }
 
   std::vector<FacingSurfaces> find(const std::vector<ElementFace>& tied, const std::vector<JoinedFaces>& joined) {
     if (!asks_for_pieces()) return {};
     read_surfaces();
     tied_ = {tied.begin(), tied.end()};
     joined_ = &joined;
+    mesh_.nodes = deck_.positions;
     count_faces();
     for (std::size_t body = 0; body < bodies_.bodies.size(); ++body) add_pieces(body);
     for (std::size_t a = 0; a < bodies_.bodies.size(); ++a)
@@ -103,9 +107,7 @@ class GeneralContact {
   }
 
   void add_pieces(std::size_t body) {
-    mesh::Mesh own;
-    own.section.analysis = analysis_;
-    own.nodes = deck_.positions;
+    mesh_.blocks.clear();
     std::map<mesh::CellType, mesh::CellBlock> blocks;
     Eigen::AlignedBox3d& box = boxes_.emplace_back();
     for (const std::int64_t number : bodies_.bodies[body].elements) {
@@ -115,11 +117,11 @@ class GeneralContact {
       block.type = type;
       for (const int place : gmsh_order(type)) {
         block.connectivity.push_back(deck_.node_of_number.at(nodes[static_cast<std::size_t>(place)]));
-        box.extend(own.nodes[static_cast<std::size_t>(block.connectivity.back())]);
+        box.extend(deck_.positions[static_cast<std::size_t>(block.connectivity.back())]);
       }
     }
-    for (auto& [type, block] : blocks) own.blocks.push_back(std::move(block));
-    for (const mesh::SurfacePatch& patch : mesh::smooth_patches(own, bodies_.bodies[body].name, 1, largest_turn)) {
+    for (auto& [type, block] : blocks) mesh_.blocks.push_back(std::move(block));
+    for (const mesh::SurfacePatch& patch : mesh::smooth_patches(mesh_, bodies_.bodies[body].name, 1, largest_turn)) {
       std::map<std::set<std::string>, std::pair<std::vector<mesh::Face>, std::vector<ElementFace>>> parts;
       for (const mesh::Face& face : patch.faces) {
         const auto found = free_face(face);
@@ -238,8 +240,12 @@ class GeneralContact {
     made.faces = {slave->faces, master->faces};
     for (std::vector<ElementFace>& faces : made.faces) std::ranges::sort(faces);
     made.bodies = {bodies_.bodies[slave->body].name, bodies_.bodies[master->body].name};
-    made.least = pair.facing.least;
-    made.largest = pair.facing.largest;
+    constexpr double rounding = 1e-6;  // of the size of the slave, for decks of few digits
+    const double least = rounding * slave->patch.box.diagonal().norm();
+    made.least = std::abs(pair.facing.least) < least ? 0 : pair.facing.least;
+    made.largest = std::abs(pair.facing.largest) < least ? 0 : pair.facing.largest;
+    made.is_even = pair.facing.is_exact && made.largest - made.least < least;
+    if (made.is_even) made.largest = made.least;
     made.interaction = interaction_of(pair);
     made.place = pair.place;
     return made;
@@ -247,12 +253,12 @@ class GeneralContact {
 
   const Deck& deck_;
   const Bodies& bodies_;
-  settings::Analysis analysis_;
   std::vector<Note>& impossible_;
   std::map<std::string, std::set<ElementFace>> surfaces_;  // by name in upper case
   std::set<ElementFace> tied_;
   const std::vector<JoinedFaces>* joined_ = nullptr;
   std::map<Numbers, ElementFace> outer_;  // by corners; element 0: between two elements
+  mesh::Mesh mesh_;                       // with the cells of the body at hand
   std::vector<Piece> pieces_;
   std::vector<Eigen::AlignedBox3d> boxes_;  // of bodies
   std::vector<Pair> pairs_;

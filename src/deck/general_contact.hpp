@@ -15,7 +15,8 @@ namespace creepcontact::deck {
 struct FacingSurfaces {
   std::array<std::vector<ElementFace>, 2> faces;  ///< the slave first
   std::array<std::string, 2> bodies;
-  double least = 0, largest = 0;  ///< distance, negative where the bodies overlap
+  bool is_even = false;           ///< the distance of planes, or of cylinders or spheres, is the same everywhere
+  double least = 0, largest = 0;  ///< distance, negative where the bodies overlap; 0 up to rounding is 0
   std::string interaction;        ///< name as written; empty: none is assigned
   Place place;                    ///< of the *CONTACT INCLUSIONS
 };

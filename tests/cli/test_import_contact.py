@@ -40,7 +40,10 @@ class ImportOfContacts(ImportTest):
         moved = "*BOUNDARY\nlid, 3, 3, {}\n"
         for name, z, displacement in (("apart", 1.01, -0.012), ("overlap", 0.999, -0.002)):
             self.import_deck(name, self.blocks(EVERYWHERE, moved.format(displacement), z))
+            self.assertIn(f"gap = {max(z - 1, 0):.3g} ", self.toml(name))
             self.expect_close(self.run_imported(name)[-1]["rfz_lid"], -100, 1e-8)
+        self.import_deck("inclined", self.blocks(EVERYWHERE, moved.format(-0.01)).replace("\n10, 0, 0, 1.0\n", "\n10, 0, 0, 1.01\n"))
+        self.assertIn('gap = "geometric"', self.toml("inclined"))
         done = self.import_deck("far", self.blocks(EVERYWHERE, moved.format(-0.01), 1.1))
         self.assertSays(done.stdout, "far.inp:", "there is no contact", "*CONTACT PAIR")
 
@@ -122,6 +125,10 @@ class ImportOfContacts(ImportTest):
                                              ("tied", ", TIED", "*MODEL CHANGE, TYPE=CONTACT PAIR, REMOVE\nFoot, Top\n", "tied pair")):
             done = self.import_deck(name, self.blocks(pair.format(parameters), card + PRESSED), 2)
             self.assertSays(done.stderr, f"{name}.inp:", fact)
+        lost = self.blocks(pair.format(""), "*MODEL CHANGE, TYPE=CONTACT PAIR, REMOVE\nFoot, Top\n" + PRESSED).replace("*SURFACE, NAME=Top", "*SURFACE, NAME=Other")
+        done = self.import_deck("lost", lost, 2)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        self.assertSays(done.stderr, "there is no surface 'Top'")
         inclined = self.blocks(pair.format(""), "*MODEL CHANGE, TYPE=CONTACT PAIR, REMOVE\nFoot, Top\n*BOUNDARY\nlid, 3\n").replace("\n10, 0, 0, 1.0\n", "\n10, 0, 0, 1.1\n")
         self.assertSays(self.import_deck("inclined", inclined, 2).stderr, "inclined.inp:", "not the same everywhere", "*CLEARANCE")
 
