@@ -81,6 +81,7 @@ int import(const Command& self, const Arguments& arguments) {
   }
   if (!unchecked) check_import(workplace.path() / (name + ".toml"), path);
   for (const auto& [file, content] : files) std::filesystem::rename(workplace.path() / file, directory / file);
+  for (const std::string& found : made.found) std::cout << "found: " << found << '\n';
   for (const std::string& left_out : made.left_out) std::cout << "left out: " << left_out << '\n';
   if (unchecked) std::cout << "not checked: a run may refuse it\n";
   std::ranges::reverse(files);  // the configuration first

@@ -86,8 +86,7 @@ std::map<std::string, List> lists() {
   of["NODE"] = taken({"NSET"}) + only("SYSTEM", {"R"}) + refused({"INPUT"}, of_files);
   of["ELEMENT"] = taken({"TYPE", "ELSET"}) + refused({"INPUT", "FILE"}, of_files);
   of["NSET"] = taken({"NSET", "GENERATE", "INSTANCE"}) + ignored({"UNSORTED", "INTERNAL"}) +
-               left_out({"FREQUENCY"}, "it counts for output only") +
-               refused({"ELSET"}, "sets of the nodes of elements are not known; list the nodes");
+               left_out({"FREQUENCY"}, "it counts for output only") + taken({"ELSET"});
   of["ELSET"] = taken({"ELSET", "GENERATE", "INSTANCE"}) + ignored({"UNSORTED", "INTERNAL"}) +
                 left_out({"FREQUENCY"}, "it counts for output only");
   of["SURFACE"] = taken({"NAME"}) + one_of("TYPE", {"ELEMENT", "NODE"}) + ignored({"INTERNAL"}) +
@@ -194,6 +193,7 @@ std::map<std::string, List> lists() {
   of["CHANGE FRICTION"] = taken({"INTERACTION"}) + refused({"RESET", "AMPLITUDE"},
                                                            "friction that changes by itself is not known; a *FRICTION "
                                                            "below gives its new value");
+  of["MODEL CHANGE"] = List{{"TYPE", Use::taken, {"CONTACT PAIR"}, {}}} + taken({"REMOVE", "ADD"});
   of["GAP CONDUCTANCE"] =
       taken({"PRESSURE"}) + of_table() + refused({"MASS FLOW RATE"}, "flowing fluids are not known");
   of["CLEARANCE"] = taken({"MASTER", "SLAVE", "VALUE"}) +
@@ -204,10 +204,8 @@ std::map<std::string, List> lists() {
       refused({"FLUID PERIODIC", "FLUID CYCLIC", "MULTISTAGE"}, "only ties of surfaces and cyclic symmetry are known") +
       refused({"TIED NSET", "CONSTRAINT RATIO"}, "ties of a part of a surface are not known");
   of["CONTACT"] = only("OP", {"NEW"});
-  of["CONTACT INCLUSIONS"] =
-      refused({"ALL EXTERIOR"},
-              "contact of all surfaces with each other is not known; name the surfaces that may touch with *CONTACT "
-              "PAIR, or in pairs below *CONTACT INCLUSIONS");
+  of["CONTACT INCLUSIONS"] = taken({"ALL EXTERIOR"});
+  of["CONTACT EXCLUSIONS"] = {};
   of["CONTACT PROPERTY ASSIGNMENT"] = {};
   // Constraints
   of["CYCLIC SYMMETRY MODEL"] = taken({"N", "TIE"}) + ignored({"NGRAPH", "ELSET", "CHECK"});

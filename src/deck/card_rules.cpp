@@ -76,22 +76,21 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     keep(Where::step, 3, {"CFLUX", "DFLUX", "DSFLUX"});
     keep(Where::step, 4, {"FILM", "SFILM", "RADIATE", "SRADIATE"});
     keep(Where::step, 0, {"CHANGE FRICTION"});
+    keep(Where::step, 2, {"MODEL CHANGE"});
     keep(Where::anywhere, 0, {"FRICTION", "NODE PRINT", "EL PRINT", "EQUATION", "MPC"});
     keep(Where::anywhere, 6, {"TRANSFORM"});
-    keep(Where::model, 2, {"CONTACT PAIR", "TIE", "CONTACT INCLUSIONS"});
+    keep(Where::model, 2, {"CONTACT PAIR", "TIE", "CONTACT INCLUSIONS", "CONTACT EXCLUSIONS"});
     keep(Where::model, 3, {"CONTACT PROPERTY ASSIGNMENT", "PRE-TENSION SECTION"});
     keep(Where::model, 6, {"CYCLIC SYMMETRY MODEL"});
     keep(Where::model, 0,
          {"INITIAL CONDITIONS", "SURFACE INTERACTION", "SURFACE BEHAVIOR", "CLEARANCE", "RIGID BODY", "CONTACT",
           "SPRING", "GAP CONDUCTANCE"});
-    add(Kind::impossible, "contacts and elements that come and go are not known", {"MODEL CHANGE"});
     add(Kind::impossible, "contact that changes from step to step is not known", {"CHANGE SURFACE BEHAVIOR"});
     const std::string general =
         "a setting of general *CONTACT that is not known; *CONTACT PAIR with the surfaces that may touch is";
     add(Kind::impossible, general,
-        {"CONTACT EXCLUSIONS", "CONTACT INITIALIZATION DATA", "CONTACT INITIALIZATION ASSIGNMENT",
-         "SURFACE PROPERTY ASSIGNMENT", "CONTACT STABILIZATION", "CONTACT CLEARANCE", "CONTACT CLEARANCE ASSIGNMENT",
-         "CONTACT INTERFERENCE"});
+        {"CONTACT INITIALIZATION DATA", "CONTACT INITIALIZATION ASSIGNMENT", "SURFACE PROPERTY ASSIGNMENT",
+         "CONTACT STABILIZATION", "CONTACT CLEARANCE", "CONTACT CLEARANCE ASSIGNMENT", "CONTACT INTERFERENCE"});
     add(Kind::silent, "", {"ASSEMBLY", "END ASSEMBLY", "RESTART"});
     add(Kind::without_influence, "",
         {"HEADING",

@@ -48,6 +48,11 @@ std::string without_blanks(std::string_view text) {
   return result;
 }
 
+/// Whether a card has neither letter nor digit: "*" or "*-----", which divide decks.
+bool is_ruler(std::string_view name) {
+  return std::ranges::none_of(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; });
+}
+
 /// Splits a line at commas outside of quotes.
 std::vector<std::string_view> split(std::string_view line) {
   std::vector<std::string_view> fields;
@@ -96,6 +101,11 @@ class Reader {
       }
       const std::string_view text = trimmed(line);
       if (text.empty()) continue;
+      if (ruler_)
+        throw ConfigError(
+            fmt::format("{}: data below a line without a card ({}), which CalculiX does not read; remove that line, or "
+                        "begin it with ** as a comment",
+                        place.text(), ruler_->text()));
       if (!has_card_) continue;  // a title
       DataLine data{split(text), text.back() == ',', place};
       while (!data.fields.empty() && data.fields.back().empty()) data.fields.pop_back();
@@ -146,7 +156,11 @@ class Reader {
     }
     const std::vector<std::string_view> fields = split(std::string_view{text}.substr(1));
     Card card{card_name(fields.front()), {}, begin};
-    if (card.name.empty()) throw ConfigError(fmt::format("{}: a card without a name", begin.text()));
+    if (is_ruler(card.name)) {
+      ruler_ = begin;
+      return;
+    }
+    ruler_.reset();
     for (std::size_t i = 1; i < fields.size(); ++i) {
       const std::size_t equals = fields[i].find('=');
       const std::string key = upper_case(without_blanks(fields[i].substr(0, equals)));
@@ -166,6 +180,7 @@ class Reader {
   const CardSink& sink_;
   bool has_card_ = false;
   std::optional<std::string> ahead_;  // a line that was read and is not the keyword's
+  std::optional<Place> ruler_;        // the last card was none: its place
   std::vector<std::filesystem::path> open_;
 };
 

@@ -7,28 +7,24 @@
 #include <utility>
 
 #include "contact_adjustment.hpp"
+#include "contact_changes.hpp"
 #include "draft.hpp"
 #include "element_faces.hpp"
 #include "gasket_tables.hpp"
+#include "general_contact.hpp"
+#include "interactions.hpp"
 #include "node_to_face_ties.hpp"
 
 namespace creepcontact::deck {
 namespace {
-
-struct Interaction {
-  Course friction;
-  bool tied = false;
-  std::string name = {};
-  std::string gasket = {};  ///< of the configuration
-  std::optional<Function> conductance = {};
-};
 
 class ContactMaker {
  public:
   explicit ContactMaker(Draft& draft) : draft_(draft) {}
 
   void make() {
-    read_interactions();
+    interactions_ = read_interactions(draft_);
+    removals_ = removals_of_pairs(draft_);
     for (const RawCard* raw : draft_.cards("CONTACT PAIR")) contact_pair(*raw);
     general_contact();
     for (const RawCard* raw : draft_.cards("TIE")) tie(*raw);
@@ -37,144 +33,12 @@ class ContactMaker {
   }
 
  private:
-  void read_interactions() {
-    for (const RawCard& raw : draft_.deck.cards) read_interaction(raw, 0);
-    for (std::size_t s = 0; s < draft_.deck.steps.size(); ++s) {
-      own_ = nullptr;
-      for (const RawCard& raw : draft_.deck.steps[s].cards)
-        read_interaction(raw, s == 0 ? 0 : draft_.loading.step_ends[s - 1]);
-    }
-  }
-
-  void read_interaction(const RawCard& raw, double time) {
-    if (raw.card.name == "SURFACE INTERACTION") {
-      const auto [made, is_new] = interactions_.try_emplace(upper_case(raw.card.value("NAME")));
-      if (!is_new) draft_.refuse(raw, fmt::format("'{}' exists already", raw.card.value("NAME")));
-      own_ = &made->second;
-      own_->name = raw.card.value("NAME");
-    }
-    if (raw.card.name == "CHANGE FRICTION") {
-      const auto found = interactions_.find(upper_case(raw.card.value("INTERACTION")));
-      own_ = found == interactions_.end() ? nullptr : &found->second;
-      if (own_ == nullptr)
-        draft_.refuse(raw, fmt::format("there is no *SURFACE INTERACTION '{}'", raw.card.value("INTERACTION")));
-    }
-    const bool is_friction = raw.card.name == "FRICTION", is_of_heat = raw.card.name == "GAP CONDUCTANCE";
-    if (!is_friction && !is_of_heat && raw.card.name != "SURFACE BEHAVIOR") return;
-    if (own_ == nullptr)
-      return draft_.refuse(raw, is_friction
-                                    ? "it belongs below *SURFACE INTERACTION, or in a step below *CHANGE FRICTION"
-                                    : "it belongs below *SURFACE INTERACTION");
-    if (is_friction) return friction(raw, time);
-    if (is_of_heat) return conductance(raw);
-    const std::string kind = upper_case(raw.card.value("PRESSURE-OVERCLOSURE"));
-    own_->tied = kind == "TIED";
-    if (kind == "TABULAR") return curve(raw);
-    if (kind != "HARD" && kind != "TIED")
-      draft_.left_out.push_back({raw.card.place, raw.card.name,
-                                 fmt::format("{}: contact is hard here, without penetration",
-                                             kind.empty() ? "pressure over overclosure" : kind)});
-  }
-
-  /// Rows of the conductance, the pressure and the temperature, over one of the two.
-  void conductance(const RawCard& raw) {
-    if (!draft_.deck.conducts()) {
-      draft_.left_out.push_back({raw.card.place, raw.card.name, "it does not act, for no step computes temperatures"});
-      return;
-    }
-    std::vector<std::array<double, 3>> rows;
-    for (const std::vector<std::string>& line : raw.data) {
-      std::array<double, 3> row{};
-      for (std::size_t i = 0; i < std::min<std::size_t>(line.size(), 3); ++i) {
-        const auto given = line[i].empty() ? 0.0 : number(line[i]);
-        if (!given) return draft_.refuse(raw, fmt::format("'{}' is not a number", line[i]));
-        row[i] = *given;
-      }
-      if (line.size() > 3)
-        return draft_.refuse(raw, "expected rows of the conductance, the contact pressure and the temperature");
-      rows.push_back(row);
-    }
-    if (rows.empty()) return draft_.refuse(raw, "expected rows of the conductance, the pressure and the temperature");
-    const auto varies = [&](std::size_t column) {
-      return std::ranges::any_of(rows, [&](const auto& row) { return row[column] != rows.front()[column]; });
-    };
-    if (varies(1) && varies(2))
-      return draft_.refuse(raw,
-                           "a conductance that depends on the pressure and on the temperature; write it as an "
-                           "expression of p and T, after an import with the rows of one temperature");
-    if (varies(1) && !draft_.deck.deforms())
-      return draft_.refuse(raw, "it depends on the contact pressure, and no step computes displacements");
-    const std::size_t of = varies(1) ? 1 : 2;
-    draft_.couples = draft_.couples || of == 1;
-    std::vector<double> at, values;
-    for (const auto& row : rows) {
-      at.push_back(rounded(row[of]));
-      values.push_back(rounded(row[0]));
-    }
-    if (!is_increasing(at))
-      return draft_.refuse(raw,
-                           fmt::format("the {} must increase from line to line", of == 1 ? "pressure" : "temperature"));
-    own_->conductance = at.size() == 1 ? Function(values.front())
-                                       : Function::table(of == 1 ? "p" : "T", std::move(at), std::move(values));
-    if (of == 1 && !raw.card.has("PRESSURE"))
-      draft_.left_out.push_back(
-          {raw.card.place, raw.card.name,
-           "the second column is the contact pressure, as in CalculiX; without PRESSURE it is the clearance in Abaqus: "
-           "then write 'gap' for 'p' in the conductance"});
-  }
-
   /// Heat does not cross a contact of which nothing is said.
   void set_conductance(const std::optional<Function>& given, config::Contact& made) const {
     using Kind = config::Conductance::Kind;
     if (!draft_.deck.conducts()) return;
     made.conductance.kind = given ? Kind::function : Kind::insulated;
     if (given) made.conductance.value = *given;
-  }
-
-  /// Rows of pressure and overclosure: a gasket that has no thickness of its own.
-  void curve(const RawCard& raw) {
-    config::GasketCurve curve;
-    std::string temperature;
-    for (const std::vector<std::string>& line : raw.data) {
-      const auto pressure = line.empty() ? std::nullopt : number(line[0]);
-      const auto overclosure = line.size() < 2 ? std::nullopt : number(line[1]);
-      if (!pressure || !overclosure) return draft_.refuse(raw, "expected rows of a pressure and an overclosure");
-      if (line.size() > 2 && !line[2].empty() && std::exchange(temperature, line[2]) != line[2] &&
-          !curve.closure.empty())
-        return draft_.refuse(raw,
-                             "a curve that depends on the temperature; give one [gaskets.<name>] by hand, whose "
-                             "'loading' takes several");
-      curve.pressure.push_back(pressure.value_or(0));
-      curve.closure.push_back(rounded(overclosure.value_or(0)));
-    }
-    if (curve.pressure.size() < 2 || curve.pressure.front() != 0 || !is_increasing(curve.pressure) ||
-        !is_increasing(curve.closure))
-      return draft_.refuse(raw, "expected at least two rows that increase, the first one with the pressure 0");
-    own_->gasket = name_of_gasket(draft_, own_->name);
-    config::Gasket made;
-    made.name = own_->gasket;
-    made.thickness = 1;
-    made.loading = {std::move(curve)};
-    draft_.config.gaskets.push_back(std::move(made));
-    const std::string key = "gaskets." + own_->gasket;
-    draft_.comment(key, raw.card.place.text() + ": *SURFACE BEHAVIOR");
-    draft_.comment(key + ".thickness", "does not matter here: the curve is one of closures");
-  }
-
-  /// Rows of a coefficient and what it depends on; in CalculiX the stiffness of sticking, which is infinite here.
-  void friction(const RawCard& raw, double time) {
-    std::optional<double> coefficient;
-    for (std::size_t line = 0; line < raw.data.size(); ++line) {
-      const auto given = raw.data[line].empty() ? std::nullopt : number(raw.data[line][0]);
-      if (!given)
-        return draft_.refuse(raw, fmt::format("'{}' is not a number", raw.data[line].empty() ? "" : raw.data[line][0]));
-      if (coefficient && *coefficient != *given)
-        return draft_.refuse(raw,
-                             "coefficients that depend on the slip, the pressure or the temperature are not known");
-      coefficient = given;
-    }
-    if (time > 0) own_->friction.add(time, own_->friction.last());  // a jump
-    own_->friction.add(time, coefficient.value_or(0));
   }
 
   /// Returns the faces of a surface, or of a set of nodes; none if that cannot be.
@@ -190,8 +54,9 @@ class ContactMaker {
       draft_.refuse(raw, fmt::format("there is no surface '{}'", name));
       return {};
     }
+    const std::size_t n_reasons = draft_.impossible.size();
     std::vector<ElementFace> found = faces_of(deck, made, draft_.impossible);
-    if (found.empty())
+    if (found.empty() && draft_.impossible.size() == n_reasons)
       draft_.refuse(
           raw, fmt::format("the surface '{}' has no faces: no face of an element has all its corners in it", name));
     return found;
@@ -230,7 +95,7 @@ class ContactMaker {
 
   /// Whether a pair is new. One that repeats another, or turns it round, says nothing more.
   bool is_new_pair(const RawCard& raw, const std::string& slave, const std::string& master, const std::string& kind) {
-    const auto known = pairs_.try_emplace(std::minmax({upper_case(slave), upper_case(master)}), kind);
+    const auto known = pairs_.try_emplace(surface_pair(slave, master), kind);
     if (known.second) return true;
     if (known.first->second == kind)
       draft_.left_out.push_back(
@@ -245,16 +110,45 @@ class ContactMaker {
             const std::string& kind) {
     if (!is_new_pair(raw, slave, master, kind)) return;
     const std::string other = surface(raw, master), own = surface(raw, slave);
+    const auto removed = removals_.find(surface_pair(slave, master));
     if (interaction.tied || raw.card.has("TIED")) {
+      if (removed != removals_.end()) draft_.refuse(raw, "a tied pair that *MODEL CHANGE removes or adds is not known");
       require_near(raw, slave, master);
       return tied(raw.card.place, raw.card.name, own, other);
     }
     config::Contact made = contact(own, other);
-    const std::string why = set_gap(raw, slave, master, made);
+    std::string why = set_gap(raw, slave, master, made);
+    if (removed != removals_.end()) why += remove_for_a_time(raw, slave, master, removed->second, made);
     if (!interaction.gasket.empty()) made.gasket = {interaction.gasket};
     if (!interaction.friction.is_zero()) made.friction = interaction.friction.function();
     set_conductance(interaction.conductance, made);
     draft_.comment(add(std::move(made), raw.card.place, raw.card.name) + ".gap", why);
+  }
+
+  /// A pair that is removed is far apart. @returns what to say of it
+  std::string remove_for_a_time(const RawCard& raw, const std::string& slave, const std::string& master,
+                                const Course& removed, config::Contact& made) {
+    double present = made.gap(Arguments{});
+    if (made.geometric_gap) {
+      const std::vector<ElementFace> own = faces(raw, slave), other = faces(raw, master);
+      if (own.empty() || other.empty()) return "";
+      const auto even = even_distance(draft_.deck, own, other);
+      if (!even)
+        draft_.refuse(raw,
+                      "*MODEL CHANGE removes or adds the pair, whose distance in the mesh is not the same everywhere; "
+                      "give it ADJUST or *CLEARANCE");
+      present = rounded(even.value_or(0));
+      made.geometric_gap = false;
+    }
+    const double far = rounded(distance_of_removed(draft_.deck));
+    Course gap;
+    gap.add(0, present);
+    for (const auto& [time, is_removed] : removed.points()) gap.add(time, is_removed > 0 ? far : present);
+    gap.add(draft_.loading.end, gap.last());
+    made.gap = gap.function();
+    if (draft_.deck.conducts())
+      draft_.left_out.push_back({raw.card.place, raw.card.name, "heat crosses the pair also while it is removed"});
+    return fmt::format("; {:g}, the size of the model, while *MODEL CHANGE has removed the pair", far);
   }
 
   void contact_pair(const RawCard& raw) {
@@ -269,29 +163,144 @@ class ContactMaker {
     }
   }
 
-  /// General *CONTACT whose surfaces are named in pairs.
+  /// General *CONTACT: pairs of surfaces that it names, and what faces each other.
   void general_contact() {
     const auto inclusions = draft_.cards("CONTACT INCLUSIONS");
     if (inclusions.empty())
       for (const RawCard* raw : draft_.cards("CONTACT"))
         draft_.refuse(*raw,
-                      "contact of all surfaces with each other is not known; name the surfaces that may touch "
-                      "with *CONTACT PAIR, or in pairs below *CONTACT INCLUSIONS");
+                      "it says which surfaces may touch by *CONTACT INCLUSIONS: ALL EXTERIOR for all surfaces, or "
+                      "the names of two in a line");
     for (const RawCard* raw : inclusions)
-      for (const std::vector<std::string>& line : raw->data) {
-        if (line.size() < 2 || line[0].empty() || line[1].empty() || upper_case(line[0]) == upper_case(line[1])) {
-          draft_.refuse(*raw,
-                        "contact of a surface with itself or with all others is not known; expected the names of "
-                        "two surfaces");
-          continue;
+      for (const std::vector<std::string>& line : raw->data)
+        if (names_two_surfaces(line)) named_pair(*raw, line[0], line[1]);
+    if (!inclusions.empty()) facing_pieces(*inclusions.front());
+  }
+
+  void named_pair(const RawCard& raw, const std::string& slave, const std::string& master) {
+    if (is_excluded(raw, slave, master)) {
+      draft_.left_out.push_back(
+          {raw.card.place, raw.card.name,
+           fmt::format("the pair of '{}' and '{}', which *CONTACT EXCLUSIONS takes out", slave, master)});
+      return;
+    }
+    const std::string property = property_of(slave, master);
+    const auto found = interactions_.find(upper_case(property));
+    if (!property.empty() && found == interactions_.end())
+      draft_.refuse(raw, fmt::format("there is no *SURFACE INTERACTION '{}'", property));
+    else
+      pair(raw, slave, master, property.empty() ? Interaction{} : found->second, upper_case(property));
+  }
+
+  /// Whether *CONTACT EXCLUSIONS takes out a pair as a whole; a part of it is refused.
+  bool is_excluded(const RawCard& raw, const std::string& slave, const std::string& master) {
+    const std::vector<ElementFace> own = faces(raw, slave), other = faces(raw, master);
+    // How many of some faces are in a surface; all of them if it has no name.
+    const auto n_in = [&](const std::vector<ElementFace>& some, const RawCard& exclusions, const std::string& name) {
+      if (name.empty()) return some.size();
+      const std::vector<ElementFace> all = faces(exclusions, name);
+      return static_cast<std::size_t>(
+          std::ranges::count_if(some, [&](const ElementFace& face) { return std::ranges::binary_search(all, face); }));
+    };
+    for (const RawCard* exclusions : draft_.cards("CONTACT EXCLUSIONS"))
+      for (const std::vector<std::string>& line : exclusions->data) {
+        const std::string first = line.empty() ? "" : line[0];
+        const std::string second = line.size() < 2 || line[1].empty() ? (line.size() < 2 ? first : "") : line[1];
+        for (const auto& [a, b] : {std::pair(first, second), std::pair(second, first)}) {
+          const std::size_t n_own = n_in(own, *exclusions, a), n_other = n_in(other, *exclusions, b);
+          if (n_own == own.size() && n_other == other.size()) return true;
+          if (n_own > 0 && n_other > 0)
+            draft_.refuse(*exclusions, fmt::format("it takes out a part of the pair of '{}' and '{}'; name surfaces "
+                                                   "that may touch as a whole",
+                                                   slave, master));
         }
-        const std::string property = property_of(line[0], line[1]);
-        const auto found = interactions_.find(upper_case(property));
-        if (!property.empty() && found == interactions_.end())
-          draft_.refuse(*raw, fmt::format("there is no *SURFACE INTERACTION '{}'", property));
-        else
-          pair(*raw, line[0], line[1], property.empty() ? Interaction{} : found->second, upper_case(property));
       }
+    return false;
+  }
+
+  /// What *CONTACT INCLUSIONS does not name in pairs.
+  void facing_pieces(const RawCard& first) {
+    const std::vector<FacingSurfaces> found = find_general_contacts(draft_.deck, draft_.bodies, draft_.analysis,
+                                                                    tied_faces(), joined_faces(), draft_.impossible);
+    const bool is_asked_for = std::ranges::any_of(draft_.cards("CONTACT INCLUSIONS"), [](const RawCard* raw) {
+      return raw->card.has("ALLEXTERIOR") || !std::ranges::all_of(raw->data, names_two_surfaces);
+    });
+    if (!is_asked_for) return;
+    draft_.left_out.push_back({first.card.place, first.card.name, "contact of a body with itself"});
+    if (found.empty())
+      draft_.left_out.push_back({first.card.place, first.card.name,
+                                 "no outer faces of two bodies face each other within a fiftieth of the size of the "
+                                 "smaller body: there is no contact; *CONTACT PAIR names surfaces farther apart"});
+    for (const FacingSurfaces& one : found) facing(one);
+  }
+
+  void facing(const FacingSurfaces& one) {
+    const auto refuse = [&](const std::string& why) {
+      draft_.impossible.push_back({one.place, "CONTACT INCLUSIONS", why});
+    };
+    const auto interaction = interactions_.find(upper_case(one.interaction));
+    if (!one.interaction.empty() && interaction == interactions_.end())
+      return refuse(fmt::format("there is no *SURFACE INTERACTION '{}'", one.interaction));
+    const Interaction law = one.interaction.empty() ? Interaction{} : interaction->second;
+    std::array<std::string, 2> groups;
+    for (std::size_t i = 0; i < 2; ++i) {
+      std::string& known = pieces_[one.faces[i]];
+      if (known.empty()) known = draft_.mesh.add_faces(one.bodies[i] + "_face", one.faces[i]);
+      groups[i] = known;
+    }
+    config::Contact made = contact(groups[0], groups[1]);
+    made.name = fmt::format("{}-{}", groups[0], groups[1]);
+    // Abaqus moves surfaces that overlap a little, as facets of curved ones do, until they touch.
+    made.geometric_gap = !one.is_even && (one.least >= 0 || one.largest > -one.least);
+    if (one.is_even) made.gap = std::max(std::stod(fmt::format("{:.9g}", one.least)), 0.0);
+    if (law.tied) {
+      made.type = config::ContactType::tied;
+      made.geometric_gap = false;
+      made.gap = 0.0;
+    } else {
+      if (!law.gasket.empty()) made.gasket = {law.gasket};
+      if (!law.friction.is_zero()) made.friction = law.friction.function();
+      set_conductance(law.conductance, made);
+    }
+    const std::string distance =
+        one.is_even ? fmt::format("{:.4g}", one.least) : fmt::format("{:.4g} to {:.4g}", one.least, one.largest);
+    draft_.found.push_back(
+        {one.place, "CONTACT INCLUSIONS",
+         fmt::format("contact '{}' of {} with {} faces; distance in the mesh {}{}", made.name, one.faces[0].size(),
+                     one.faces[1].size(), distance,
+                     one.least < 0 && !law.tied
+                         ? (made.geometric_gap ? ", an interference where it is negative" : ", taken as touching")
+                         : "")});
+    const bool is_tied = law.tied;
+    const std::string key = add(std::move(made), one.place, "CONTACT INCLUSIONS");
+    if (!is_tied) draft_.comment(key + ".gap", "distance in the mesh: " + distance);
+  }
+
+  /// Faces that touch nothing else: of slave surfaces of ties, and of cuts through bolts.
+  std::vector<ElementFace> tied_faces() {
+    std::vector<ElementFace> all;
+    const auto add = [&](const std::vector<ElementFace>& some) { all.insert(all.end(), some.begin(), some.end()); };
+    for (const RawCard* raw : draft_.cards("TIE"))
+      for (const std::vector<std::string>& line : raw->data)
+        if (!line.empty()) add(faces(*raw, line[0]));
+    for (const PretensionSection& section : draft_.sections) {
+      add(section.faces);
+      add(section.opposite);
+    }
+    return all;
+  }
+
+  std::vector<JoinedFaces> joined_faces() {
+    std::vector<JoinedFaces> all;
+    for (const char* card : {"CONTACT PAIR", "CONTACT INCLUSIONS"})
+      for (const RawCard* raw : draft_.cards(card))
+        for (const std::vector<std::string>& line : raw->data)
+          if (names_two_surfaces(line)) all.push_back({faces(*raw, line[0]), faces(*raw, line[1])});
+    for (const GasketLayer& layer : draft_.gaskets) {
+      all.push_back({layer.faces[0], layer.faces[1]});
+      for (std::vector<ElementFace>& faces : all.back()) std::ranges::sort(faces);
+    }
+    return all;
   }
 
   /// The last assignment to a pair, or to all; empty: none.
@@ -436,16 +445,16 @@ class ContactMaker {
   }
 
   void preload(const PretensionSection& section, double force, double time) {
-    const std::string own = draft_.mesh.add_faces("bolt_section", section.faces);
-    const std::string other = draft_.mesh.add_faces("bolt_section_opposite", section.opposite);
+    const auto& [own, other] = draft_.groups_of(section);
     tied(section.place, "PRE-TENSION SECTION", own, other, config::Preload{rounded(force), rounded(time)});
   }
 
   Draft& draft_;
-  std::map<std::string, Interaction> interactions_;
-  std::map<std::string, std::string> surfaces_;  // written, by name in upper case: name of the group
-  std::map<std::pair<std::string, std::string>, std::string> pairs_;  // of surfaces, in upper case: their contact
-  Interaction* own_ = nullptr;                                        // to which *FRICTION belongs
+  Interactions interactions_;
+  std::map<std::string, std::string> surfaces_;             // written, by name in upper case: name of the group
+  std::map<SurfacePair, std::string> pairs_;                // their contact
+  std::map<std::vector<ElementFace>, std::string> pieces_;  // of general contact: names of their groups
+  Removals removals_;
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "card_parameters.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/suggestion.hpp"
+#include "note_lines.hpp"
 
 namespace creepcontact::deck {
 namespace {
@@ -30,6 +31,19 @@ Place ElementBlock::place(std::size_t element) const {
   return after == cards.begin() ? Place() : (after - 1)->second;
 }
 
+bool Deck::is_only_mesh() const {
+  return steps.empty() && materials.empty() && sections.empty() && cards.empty() && !elements.empty();
+}
+
+std::optional<std::int64_t> Deck::number_in_instance(const std::string& name, bool is_node) const {
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string::npos) return std::nullopt;
+  const auto own = whole_number(name.substr(dot + 1));
+  const auto found = instances.find(upper_case(name.substr(0, dot)));
+  if (!own || found == instances.end()) return std::nullopt;
+  return *own + (is_node ? found->second.node : found->second.element);
+}
+
 bool Deck::conducts() const {
   return std::ranges::any_of(steps, &Step::conducts);
 }
@@ -46,7 +60,8 @@ void DeckReader::card(const Card& given) {
   const auto* found = rule_or_null(given.name);
   if (found == nullptr) {
     deck_.impossible.push_back({given.place, given.name,
-                                fmt::format("an unknown card, which may change the results{}; remove it if it does not",
+                                fmt::format("an unknown card, which may change the results{}; remove it if it does "
+                                            "not, or begin it with ** if it is a comment",
                                             did_you_mean(given.name, names(rules())))});
     return;
   }
@@ -160,6 +175,7 @@ void DeckReader::finish_card() {
 Deck DeckReader::finish() {
   finish_card();
   add_late_members();
+  set_skins_apart();
   if (!without_influence_.empty())
     deck_.left_out.push_back({first_without_influence_, fmt::format("{}", fmt::join(without_influence_, ", *")),
                               "without influence on the results"});
@@ -175,35 +191,25 @@ Deck DeckReader::finish() {
   if (into_ != &deck_) mistake(current_.place, "the part or instance does not end; the deck may be cut off");
   for (const Section& section : deck_.sections)
     if (!deck_.element_sets.contains(section.elements))
-      mistake(fmt::format("{}: *SOLID SECTION: there is no element set '{}'", section.place.text(), section.elements));
+      mistake(section.place, fmt::format("there is no element set '{}'", section.elements), "SOLID SECTION");
   for (const auto& [name, material] : deck_.materials)
     if (material.cyclic_hardening && (!material.plastic || material.hardening != "COMBINED"))
       deck_.impossible.push_back({material.cyclic_hardening->place, "CYCLIC HARDENING",
                                   "it belongs to *PLASTIC, HARDENING=COMBINED; other plasticity has its own table"});
   for (const GasketSection& section : deck_.gasket_sections)
     if (!deck_.element_sets.contains(section.elements))
-      mistake(fmt::format("{}: *GASKET SECTION: there is no element set '{}'", section.place.text(), section.elements));
-  std::set<std::int64_t> missing;
-  for (const GasketElement& gasket : deck_.gaskets)
-    for (const Numbers& side : gasket.sides)
-      for (const std::int64_t node : side)
-        if (!deck_.node_of_number.contains(node) && missing.insert(node).second)
-          mistake(Card{"ELEMENT", {}, gasket.place}.message(
-              fmt::format("element {} has the node {}, which no *NODE defines", gasket.number, node)));
-  for (const ElementBlock& block : deck_.elements) {
-    const auto n = static_cast<std::size_t>(mesh::n_nodes(block.type.cell));
-    for (std::size_t i = 0; i < block.nodes.size(); ++i)
-      if (!deck_.node_of_number.contains(block.nodes[i]) && missing.insert(block.nodes[i]).second)
-        mistake(Card{"ELEMENT", {}, block.place(i / n)}.message(
-            fmt::format("element {} has the node {}, which no *NODE defines", block.numbers[i / n], block.nodes[i])));
-  }
+      mistake(section.place, fmt::format("there is no element set '{}'", section.elements), "GASKET SECTION");
+  refuse_missing_nodes();
   if (deck_.elements.empty() && deck_.impossible.empty() && mistakes_.empty())
     mistake(current_.place, "the deck has no elements");
   if (!mistakes_.empty()) {
-    std::string all;
-    for (const std::string& one : mistakes_) all += (all.empty() ? "" : "\n") + one;
-    if (n_mistakes_ > mistakes_.size()) all += fmt::format("\nand {} more", n_mistakes_ - mistakes_.size());
-    throw ConfigError(all);
+    std::vector<std::string> lines = lines_of_notes(mistakes_);
+    if (lines.size() > most_mistakes) {
+      const std::size_t rest = lines.size() - most_mistakes;
+      lines.resize(most_mistakes);
+      lines.push_back(fmt::format("and {} more", rest));
+    }
+    throw ConfigError(fmt::format("{}", fmt::join(lines, "\n")));
   }
   for (ElementBlock& block : deck_.elements) {  // vectors that have grown have up to twice the memory that they need
     block.nodes.shrink_to_fit();
@@ -216,15 +222,30 @@ Deck DeckReader::finish() {
   return std::move(deck_);
 }
 
-void DeckReader::mistake(const std::string& message) {
-  ++n_mistakes_;
-  if (mistakes_.size() < most_mistakes) mistakes_.push_back(message);
+void DeckReader::mistake(const Place& place, const std::string& what, const std::string& card) {
+  mistakes_.push_back({place, card.empty() ? current_.name : card, what});
 }
 
-void DeckReader::mistake(const Place& place, const std::string& what) {
-  Card at = current_;
-  at.place = place;
-  mistake(at.message(what));
+/// One line for all of them: most often a file with nodes is missing.
+void DeckReader::refuse_missing_nodes() {
+  std::set<std::int64_t> missing;
+  std::string first;
+  Place place;
+  const auto look = [&](std::int64_t element, std::int64_t node, const Place& at) {
+    if (deck_.node_of_number.contains(node) || !missing.insert(node).second || missing.size() > 1) return;
+    first = fmt::format("element {} has the node {}, which no *NODE defines", element, node);
+    place = at;
+  };
+  for (const GasketElement& gasket : deck_.gaskets)
+    for (const Numbers& side : gasket.sides)
+      for (const std::int64_t node : side) look(gasket.number, node, gasket.place);
+  for (const ElementBlock& block : deck_.elements) {
+    const auto n = static_cast<std::size_t>(mesh::n_nodes(block.type.cell));
+    for (std::size_t i = 0; i < block.nodes.size(); ++i) look(block.numbers[i / n], block.nodes[i], block.place(i / n));
+  }
+  if (missing.empty()) return;
+  const std::size_t others = missing.size() - 1;
+  mistake(place, first + (others > 0 ? fmt::format("; nor {} other nodes of elements", others) : ""), "ELEMENT");
 }
 
 std::string DeckReader::required(const Card& card, const std::string& parameter) {

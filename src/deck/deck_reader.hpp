@@ -44,10 +44,6 @@ class DeckReader {
   static const std::pair<const std::string, Rule>* rule_or_null(const std::string& name);
 
  private:
-  struct Instance {
-    std::int64_t node_offset = 0, element_offset = 0;
-  };
-
   // Geometry
   void node(const Card& card);
   void element(const Card& card);
@@ -115,6 +111,10 @@ class DeckReader {
   void add_solid(const Numbers& own, const Place& place);
   void add_gasket(const GasketShape& shape, const Numbers& own, const Place& place);
   void finish_card();
+  /// Takes elements of lower dimension that have no section out of the blocks.
+  void set_skins_apart();
+  /// Makes a new set of the nodes of the elements in another one.
+  void nodes_of_elements(const Card& card);
   /// Adds members to the sets of `into_` that were named before they were defined.
   void add_late_members();
   void merge_instance();
@@ -122,18 +122,17 @@ class DeckReader {
   std::optional<double> real(const DataLine& line, std::size_t field);
   /// Number of a node or an element; nullopt, with a mistake, if it is none.
   std::optional<std::int64_t> label(const DataLine& line, std::string_view field, const char* what);
-  void mistake(const std::string& message);
-  void mistake(const Place& place, const std::string& what);
+  /// @param card  empty: the present one
+  void mistake(const Place& place, const std::string& what, const std::string& card = {});
+  void refuse_missing_nodes();
   bool in_step() const { return step_open_; }
 
   Deck deck_;
   std::map<std::string, Deck> parts_;
   Deck* into_ = &deck_;  // or a part, or the instance that is being made
   Deck instance_deck_;
-  std::string instance_name_;
+  std::string instance_name_;  // as written
   std::vector<std::vector<double>> instance_moves_;
-  std::map<std::string, Instance> instances_;
-  std::int64_t assembly_offset_ = 0;  // of the numbers of nodes that the assembly itself defines
 
   /// A set that another one names before there is a card of it.
   struct LateMembers {
@@ -155,11 +154,11 @@ class DeckReader {
   bool step_open_ = false;
   ElementBlock* block_ = nullptr;
   std::optional<GasketShape> gasket_;  // of the elements that are read, instead of a block
+  bool reads_skin_ = false;            // they are the last of `skins`
   Set* element_set_ = nullptr;
   Numbers pending_;  // number and nodes of an element that goes on in the next line
   Place pending_place_;
-  std::vector<std::string> mistakes_;
-  std::size_t n_mistakes_ = 0;
+  std::vector<Note> mistakes_;
 };
 
 }  // namespace creepcontact::deck

@@ -23,6 +23,14 @@ Draft::Draft(const Deck& of, std::string called, std::vector<Note> known)
   std::ranges::sort(used);
 }
 
+const std::array<std::string, 2>& Draft::groups_of(const PretensionSection& section) {
+  const auto [found, is_new] = section_groups.try_emplace(section.reference);
+  if (is_new)
+    found->second = {mesh.add_faces("bolt_section", section.faces),
+                     mesh.add_faces("bolt_section_opposite", section.opposite)};
+  return found->second;
+}
+
 const std::vector<std::string>& Draft::bodies_at(std::int64_t node) {
   if (bodies_at_.empty())
     for (const DeckBody& body : bodies.bodies)

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -29,19 +31,23 @@ struct Draft {
   const Deck& deck;
   std::string name;
   std::vector<Note> impossible, left_out;
+  std::vector<Note> found;  ///< what the deck does not say: what was made of which card
   Resolver resolver;
   NodeFrames frames;
   MeshOutput mesh;
   Bodies bodies;
   Loading loading;
   std::vector<PretensionSection> sections;
+  /// Groups of the faces of a section, of its own elements and of the others, by its reference node.
+  std::map<std::int64_t, std::array<std::string, 2>> section_groups;
   std::vector<GasketLayer> gaskets;
   std::vector<RigidGroup> rigid;
   std::vector<DeckEquation> equations;
   settings::Analysis analysis = settings::Analysis::solid;
-  Numbers used;          ///< nodes that elements have, ascending
-  bool varies = false;   ///< a material depends on the temperature
-  bool couples = false;  ///< the flow of heat depends on the contact pressure
+  Numbers used;              ///< nodes that elements have, ascending
+  bool varies = false;       ///< a material depends on the temperature
+  bool couples = false;      ///< the flow of heat depends on the contact pressure
+  std::set<double> changes;  ///< times at which contacts come or go
   config::Config config;
   config::Comments comments;
   std::string temperatures;
@@ -60,6 +66,8 @@ struct Draft {
     impossible.push_back({raw.card.place, raw.card.name, why});
   }
   bool is_section() const { return analysis != settings::Analysis::solid; }
+  /// Returns the groups of a section, which are made if they are new.
+  const std::array<std::string, 2>& groups_of(const PretensionSection& section);
   bool is_used(std::int64_t node) const { return std::ranges::binary_search(used, node); }
   const Vector3& position(std::int64_t node) const { return deck.positions[deck.node_of_number.at(node)]; }
   /// Returns the place of the first card with a name; empty if there is none.
@@ -84,5 +92,7 @@ void make_springs(Draft& draft);
 void make_temperature(Draft& draft);
 void make_time(Draft& draft);
 void make_probes(Draft& draft);
+/// Probes of reference nodes, which no element has; a line for those of which nothing is known.
+void make_reference_probes(Draft& draft);
 
 }  // namespace creepcontact::deck

@@ -129,6 +129,15 @@ std::optional<ElementType> element_type(std::string_view name) {
   return std::nullopt;
 }
 
+std::optional<std::size_t> n_nodes_of_skin(std::string_view name) {
+  static const std::map<std::string, std::size_t> all{
+      {"T2D2", 2}, {"T3D2", 2}, {"T3D3", 3}, {"B21", 2},   {"B22", 3},    {"B31", 2},  {"B31R", 2}, {"B32", 3},
+      {"B32R", 3}, {"S3", 3},   {"S3R", 3},  {"STRI3", 3}, {"STRI65", 6}, {"S4", 4},   {"S4R", 4},  {"S6", 6},
+      {"S8", 8},   {"S8R", 8},  {"M3D3", 3}, {"M3D4", 4},  {"M3D4R", 4},  {"M3D6", 6}, {"M3D8", 8}, {"M3D8R", 8}};
+  const auto found = all.find(upper_case(name));
+  return found == all.end() ? std::nullopt : std::optional(found->second);
+}
+
 std::optional<GasketShape> gasket_shape(std::string_view name) {
   struct Gasket {
     std::string_view name;

@@ -157,6 +157,7 @@ class GasketTaker {
         } else if (entry.side == (side == 0 ? "SNEG" : "SPOS") || entry.face == (side == 0 ? 2 : 1)) {
           const auto set = deck_.element_sets.find(upper_case(entry.target));
           if (const auto own = whole_number(entry.target)) numbers.insert(*own);
+          if (const auto own = deck_.number_in_instance(entry.target, false)) numbers.insert(*own);
           if (set != deck_.element_sets.end()) numbers.insert(set->second.members.begin(), set->second.members.end());
         }
       }

@@ -1,5 +1,7 @@
 #include "creepcontact/deck/import.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "contact_adjustment.hpp"
@@ -10,6 +12,7 @@
 #include "draft.hpp"
 #include "heat_tables.hpp"
 #include "matching_ties.hpp"
+#include "note_lines.hpp"
 
 namespace creepcontact::deck {
 namespace {
@@ -21,12 +24,7 @@ void sort(std::vector<Note>& notes) {
 void raise(Draft& draft) {
   if (draft.impossible.empty()) return;
   sort(draft.impossible);
-  std::string all;
-  std::set<std::string> said;
-  for (const Note& note : draft.impossible)
-    if (said.insert(note.card + note.consequence).second)
-      all += fmt::format("{}{}*{}: {}", all.empty() ? "" : "\n", prefix(note.place), note.card, note.consequence);
-  throw ConfigError(all);
+  throw ConfigError(fmt::format("{}", fmt::join(lines_of_notes(draft.impossible), "\n")));
 }
 
 void refuse_what_changes_the_model(Draft& draft) {
@@ -127,10 +125,12 @@ Import make(Draft& draft) {
   make_probes(draft);
   raise(draft);
   sort(draft.left_out);
-  Import result{std::move(draft.config), std::move(draft.comments), "", std::move(draft.temperatures), {}};
+  Import result{std::move(draft.config), std::move(draft.comments), "", std::move(draft.temperatures), {}, {}};
   std::string& heading = result.comments.above[""];
   heading = fmt::format("Made of {} by creepcontact import. The units are those of the deck.",
                         toml_string(draft.name + ".inp"));
+  for (const Note& note : draft.found)
+    result.found.push_back(fmt::format("{}*{}: {}", prefix(note.place), note.card, note.consequence));
   for (const Note& note : draft.left_out) {
     result.left_out.push_back(fmt::format("{}*{}: {}", prefix(note.place), note.card, note.consequence));
     heading += "\nLeft out: " + result.left_out.back();
@@ -141,6 +141,11 @@ Import make(Draft& draft) {
 }  // namespace
 
 Import import_deck(Deck deck, const std::string& name) {
+  if (deck.is_only_mesh())
+    throw ConfigError(fmt::format(
+        "'{}.inp': this deck is only a mesh, without materials, sections and steps: name it in mesh.file of a "
+        "configuration, which says the rest (creepcontact new makes one)",
+        name));
   std::vector<Note> impossible;
   leave_out_mechanics(deck);
   std::vector<GasketLayer> gaskets = take_gaskets(deck, impossible);

@@ -49,7 +49,7 @@ void DeckReader::instance(const Card& card) {
   const auto found = parts_.find(upper_case(part));
   if (found == parts_.end()) return mistake(card.place, fmt::format("there is no part '{}'", part));
   instance_deck_ = found->second;
-  instance_name_ = upper_case(name);
+  instance_name_ = name;
   instance_moves_.clear();
   into_ = &instance_deck_;
   on_data_ = [this](const DataLine& line) {
@@ -67,17 +67,19 @@ void DeckReader::end_instance(const Card& card) {
 }
 
 void DeckReader::merge_instance() {
-  const std::string prefix = instance_name_ + ".";
+  const std::string written = instance_name_ + ".", prefix = upper_case(written);
   Numbers all_elements;
   for (const ElementBlock& block : deck_.elements)
     all_elements.insert(all_elements.end(), block.numbers.begin(), block.numbers.end());
   for (const GasketElement& gasket : deck_.gaskets) all_elements.push_back(gasket.number);
-  const Instance offsets{largest(deck_.node_numbers), largest(all_elements)};
-  if (!instances_.emplace(instance_name_, offsets).second)
+  for (const SkinElements& skin : deck_.skins)
+    all_elements.insert(all_elements.end(), skin.numbers.begin(), skin.numbers.end());
+  const InstanceOffsets offsets{largest(deck_.node_numbers), largest(all_elements)};
+  if (!deck_.instances.emplace(upper_case(instance_name_), offsets).second)
     mistake(current_.place, fmt::format("the instance '{}' exists already", instance_name_));
   const Eigen::Affine3d moved = motion(instance_moves_);
   for (std::size_t i = 0; i < instance_deck_.positions.size(); ++i) {
-    const std::int64_t number = instance_deck_.node_numbers[i] + offsets.node_offset;
+    const std::int64_t number = instance_deck_.node_numbers[i] + offsets.node;
     deck_.node_of_number.insert(number, static_cast<std::uint32_t>(deck_.positions.size()));
     deck_.node_numbers.push_back(number);
     deck_.positions.emplace_back(moved * instance_deck_.positions[i]);
@@ -88,38 +90,39 @@ void DeckReader::merge_instance() {
     if (into == deck_.elements.end()) into = deck_.elements.insert(into, {block.type, {}, {}});
     for (const auto& [first, place] : block.cards) into->cards.emplace_back(into->numbers.size() + first, place);
     for (const std::int64_t number : block.numbers) {
-      deck_.element_of_number.insert(number + offsets.element_offset,
+      deck_.element_of_number.insert(number + offsets.element,
                                      {static_cast<std::uint32_t>(into - deck_.elements.begin()),
                                       static_cast<std::uint32_t>(into->numbers.size())});
-      into->numbers.push_back(number + offsets.element_offset);
+      into->numbers.push_back(number + offsets.element);
     }
-    for (const std::int64_t node : block.nodes) into->nodes.push_back(node + offsets.node_offset);
+    for (const std::int64_t node : block.nodes) into->nodes.push_back(node + offsets.node);
+  }
+  for (SkinElements skin : instance_deck_.skins) {
+    for (std::int64_t& number : skin.numbers) number += offsets.element;
+    for (std::int64_t& node : skin.nodes) node += offsets.node;
+    deck_.skins.push_back(std::move(skin));
   }
   for (GasketElement gasket : instance_deck_.gaskets) {
-    gasket.number += offsets.element_offset;
+    gasket.number += offsets.element;
     for (Numbers& side : gasket.sides)
-      for (std::int64_t& node : side) node += offsets.node_offset;
+      for (std::int64_t& node : side) node += offsets.node;
     deck_.gaskets.push_back(std::move(gasket));
   }
   const auto add_sets = [&](const std::map<std::string, Set>& from, std::map<std::string, Set>& to,
                             std::int64_t offset) {
     for (const auto& [name, set] : from) {
       Set& made = to[prefix + name];
-      made.name = prefix + set.name;
+      made.name = written + set.name;
       for (const std::int64_t member : set.members) made.members.push_back(member + offset);
     }
   };
-  add_sets(instance_deck_.node_sets, deck_.node_sets, offsets.node_offset);
-  add_sets(instance_deck_.element_sets, deck_.element_sets, offsets.element_offset);
+  add_sets(instance_deck_.node_sets, deck_.node_sets, offsets.node);
+  add_sets(instance_deck_.element_sets, deck_.element_sets, offsets.element);
   for (const auto& [name, surface] : instance_deck_.surfaces) {
     Surface& made = deck_.surfaces[prefix + name];
     made = surface;
-    made.name = prefix + surface.name;
-    const std::int64_t offset = surface.of_nodes ? offsets.node_offset : offsets.element_offset;
-    for (SurfaceEntry& entry : made.entries) {
-      const auto number = whole_number(entry.target);
-      entry.target = number ? std::to_string(*number + offset) : prefix + upper_case(entry.target);
-    }
+    made.name = written + surface.name;
+    for (SurfaceEntry& entry : made.entries) entry.target = prefix + upper_case(entry.target);
   }
   for (Section section : instance_deck_.sections) {
     section.elements = prefix + section.elements;

@@ -23,6 +23,7 @@ struct Entry {
   double target = 0;  // value without amplitude, at the end of the present step
   const Amplitude* amplitude = nullptr;
   bool is_new = false;      // given in the present step
+  bool begins = false;      // given before the steps with a value, which the first step brings
   bool is_dropped = false;  // by OP=NEW
   // Supports: times between which they act. Free at present: the last one has an end, or there is none.
   std::vector<Window> windows = {};
@@ -87,8 +88,15 @@ class Joiner {
       if (raw.card.name == "BOUNDARY") boundary(raw);
       if (raw.card.name == "INITIAL CONDITIONS") initial(raw);
     }
+    for (const auto& [copy, original] : deck_.copies)
+      if (const auto found = loading_.initial_temperatures.find(original); found != loading_.initial_temperatures.end())
+        loading_.initial_temperatures[copy] = found->second;
     simplify_initial_temperatures();
-    for (auto& [key, entry] : entries_) entry.is_new = false;
+    // Values of supports before the steps are reached in the first one, as in CalculiX.
+    for (auto& [key, entry] : entries_) {
+      entry.begins = entry.target != entry.rest;
+      entry.is_new = false;
+    }
     double time = 0, total = 0;
     for (const Step& step : deck_.steps) {
       if (step.nonlinear_geometry && !warned_of_geometry_) {
@@ -111,6 +119,7 @@ class Joiner {
       const double duration = duration_of(step);
       if (static_time_ > 0 && !step.takes_time()) note_static_time(step);
       if (step.conducts) check_steady_states(step);
+      for (auto& [key, entry] : entries_) entry.is_new = std::exchange(entry.begins, false) || entry.is_new;
       for (auto& [key, entry] : entries_)
         if (is_of_heat(key.kind) && step.is_steady)
           reach_at_once(entry, step, time, duration, total);
@@ -143,10 +152,11 @@ class Joiner {
                                        static_time_)});
       return;
     }
-    left_out_.push_back({step.place, "STATIC",
-                         fmt::format("what yields or slides depends on the order of the loads, so each *STATIC step "
-                                     "takes {:g} of time in the run, in which creep is negligible",
-                                     static_time_)});
+    left_out_.push_back(
+        {step.place, "STATIC",
+         fmt::format("what yields or slides, or holds a bolt, depends on the order of the loads, so each *STATIC step "
+                     "takes {:g} of time in the run, in which creep is negligible",
+                     static_time_)});
   }
   /// The run has one steady state, at its begin: with the loads of the first step that computes one.
   void check_steady_states(const Step& step) {
@@ -397,8 +407,16 @@ class Joiner {
     if (lockable_.contains(node) && by_length == entries_.end()) {
       const auto force = entries_.find({Condition::force, node, 1});
       const double reached = force != entries_.end() ? force->second.course.last() : 0.0;
-      loading_.locked.try_emplace(node, Loading::Lock{static_time_ > 0 ? begin_of_tension(node) : time, reached});
       held_bolts_.insert(node);
+      const auto known = loading_.locked.find(node);
+      if (known != loading_.locked.end()) return;
+      loading_.locked[node] = {begin_of_lock(raw, line, node, time), reached};
+      if (force != entries_.end() && std::ranges::any_of(force->second.course.points(), [&](const auto& point) {
+            return point.second != 0 && point.first < crept_until_;
+          }))
+        impossible(raw, line,
+                   "the bolt is held after a step that takes time, in which its force acts; hold it from the first "
+                   "*VISCO step after its tightening on");
       return;
     }
     if (time == 0)
@@ -419,13 +437,34 @@ class Joiner {
     }
   }
 
-  /// The bolt is tight from the begin of the *STATIC step on that tightens it: later loads find it so.
+  /// The bolt is tight from the begin of the *STATIC steps on that tighten it: later loads find it so.
   double begin_of_tension(std::int64_t node) const {
     double begin = crept_until_;
     if (const auto force = entries_.find({Condition::force, node, 1}); force != entries_.end())
       for (const auto& [time, value] : force->second.course.points())
         if (value == 0) begin = std::max(begin, time);
     return begin;
+  }
+
+  /// Loads that come while the force of the bolt acts do not change it: the lock begins after them.
+  double begin_of_lock(const RawCard& raw, std::size_t line, std::int64_t node, double time) {
+    constexpr double just_before = 1e-9;  // of the time: the end of the step shows the bolt tight
+    const double begin = begin_of_tension(node);
+    const bool others_come = std::ranges::any_of(entries_, [&](const auto& one) {
+      const auto& [key, entry] = one;
+      const bool is_bolt = key.kind == Condition::force && lockable_.contains(key.of);
+      return !is_of_heat(key.kind) && !is_bolt && entry.course.at(begin) != entry.course.last();
+    });
+    if (begin >= time || !others_come) return begin;
+    if (std::ranges::any_of(loading_.step_ends, [&](double end) { return end > begin && end < time; })) {
+      if (!time_runs_)
+        impossible(raw, line,
+                   "other loads come between the tightening of the bolt and the step that holds it; hold it from the "
+                   "step after its tightening on");
+      left_out_.push_back({raw.card.place, raw.card.name,
+                           fmt::format("until t = {:g}, while other loads come, the bolt is loose in the run", time)});
+    }
+    return time * (1 - just_before);
   }
 
   void concentrated(const RawCard& raw) {

@@ -1,6 +1,7 @@
 /// Nodes, elements, sets, surfaces and sections.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -20,6 +21,11 @@ T& named(std::map<std::string, T>& all, const std::string& name) {
   return found;
 }
 
+/// "S3"
+bool names_face(std::string_view field) {
+  return field.size() == 2 && (field[0] == 'S' || field[0] == 's') && field[1] >= '1' && field[1] <= '6';
+}
+
 }  // namespace
 
 void DeckReader::node(const Card& card) {
@@ -30,10 +36,10 @@ void DeckReader::node(const Card& card) {
 void DeckReader::add_node(const DataLine& line, Set* set) {
   std::optional<std::int64_t> own = label(line, line.field(0), "a node number");
   // Reference points of an assembly are numbered from 1 again, as the nodes of its instances are.
-  if (own && into_ == &deck_ && !instances_.empty()) {
-    if (assembly_offset_ == 0 && !deck_.node_numbers.empty())
-      assembly_offset_ = *std::ranges::max_element(deck_.node_numbers);
-    own = *own + assembly_offset_;
+  if (own && into_ == &deck_ && !deck_.instances.empty()) {
+    if (deck_.assembly_offset == 0 && !deck_.node_numbers.empty())
+      deck_.assembly_offset = *std::ranges::max_element(deck_.node_numbers);
+    own = *own + deck_.assembly_offset;
   }
   if (!own) return;
   if (line.fields.size() > 7)
@@ -64,7 +70,14 @@ void DeckReader::element(const Card& card) {
     return;
   }
   gasket_ = gasket_shape(name);
+  reads_skin_ = false;
   if (gasket_) {
+    on_data_ = [this](const DataLine& line) { add_to_element(line); };
+    return;
+  }
+  if (const auto n_nodes = type ? std::nullopt : n_nodes_of_skin(name)) {
+    reads_skin_ = true;
+    into_->skins.push_back({upper_case(name), *n_nodes, {}, {}, card.place});
     on_data_ = [this](const DataLine& line) { add_to_element(line); };
     return;
   }
@@ -100,6 +113,7 @@ void DeckReader::add_spring(const std::string& type, const DataLine& line) {
 }
 
 std::size_t DeckReader::n_element_nodes() const {
+  if (reads_skin_) return into_->skins.back().n_nodes;
   return gasket_ ? gasket_->n_nodes : static_cast<std::size_t>(mesh::n_nodes(block_->type.cell));
 }
 
@@ -117,10 +131,15 @@ void DeckReader::add_to_element(const DataLine& line) {
   }
   if (pending_.size() < n_nodes + 1) return;
   const Numbers own = std::exchange(pending_, {});
-  if (gasket_)
+  if (reads_skin_) {
+    SkinElements& skin = into_->skins.back();
+    skin.numbers.push_back(own.front());
+    skin.nodes.insert(skin.nodes.end(), own.begin() + 1, own.end());
+  } else if (gasket_) {
     add_gasket(*gasket_, own, line.place);
-  else
+  } else {
     add_solid(own, line.place);
+  }
   if (element_set_ != nullptr) element_set_->members.push_back(own.front());
 }
 
@@ -141,7 +160,26 @@ void DeckReader::add_gasket(const GasketShape& shape, const Numbers& own, const 
 }
 
 void DeckReader::node_set(const Card& card) {
+  if (card.has("ELSET")) return nodes_of_elements(card);
   read_set(card, "NSET", &Deck::node_sets);
+}
+
+void DeckReader::nodes_of_elements(const Card& card) {
+  const std::string name = required(card, "NSET"), elements = required(card, "ELSET");
+  if (name.empty() || elements.empty()) return;
+  const auto found = into_->element_sets.find(upper_case(elements));
+  if (found == into_->element_sets.end())
+    return mistake(card.place, fmt::format("there is no element set '{}' before this line", elements));
+  const std::unordered_set<std::int64_t> wanted(found->second.members.begin(), found->second.members.end());
+  Set& set = named(into_->node_sets, name);
+  std::unordered_set<std::int64_t> known(set.members.begin(), set.members.end());
+  const auto add = [&](const Numbers& numbers, const Numbers& nodes, std::size_t n) {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (wanted.contains(numbers[i / n]) && known.insert(nodes[i]).second) set.members.push_back(nodes[i]);
+  };
+  for (const ElementBlock& block : into_->elements)
+    add(block.numbers, block.nodes, static_cast<std::size_t>(mesh::n_nodes(block.type.cell)));
+  for (const SkinElements& skin : into_->skins) add(skin.numbers, skin.nodes, skin.n_nodes);
 }
 
 void DeckReader::element_set(const Card& card) {
@@ -154,13 +192,13 @@ void DeckReader::read_set(const Card& card, const std::string& key, std::map<std
   Set& set = named(into_->*sets, name);
   const bool generate = card.has("GENERATE");
   std::string scope;
-  std::int64_t offset = into_ == &deck_ && sets == &Deck::node_sets ? assembly_offset_ : 0;
+  std::int64_t offset = into_ == &deck_ && sets == &Deck::node_sets ? deck_.assembly_offset : 0;
   if (const std::string instance = upper_case(card.value("INSTANCE")); !instance.empty()) {
-    const auto found = instances_.find(instance);
-    if (found == instances_.end())
+    const auto found = deck_.instances.find(instance);
+    if (found == deck_.instances.end())
       return mistake(card.place, fmt::format("there is no instance '{}'", card.value("INSTANCE")));
     scope = instance + ".";
-    offset = sets == &Deck::node_sets ? found->second.node_offset : found->second.element_offset;
+    offset = sets == &Deck::node_sets ? found->second.node : found->second.element;
   }
   on_data_ = [this, &set, generate, scope, sets, offset](const DataLine& line) {
     add_members(set, line, generate, scope, sets, offset);
@@ -189,6 +227,14 @@ void DeckReader::add_members(Set& set, const DataLine& line, bool generate, cons
     }
     const auto other = (into_->*sets).find(scope + upper_case(field));
     if (other == (into_->*sets).end()) {
+      if (const auto own = into_->number_in_instance(std::string(field), sets == &Deck::node_sets)) {
+        set.members.push_back(*own);
+        continue;
+      }
+      if (names_face(field)) {
+        mistake(line.place, "faces of elements (S1 to S6) belong below *SURFACE; is the line of a *SURFACE missing?");
+        continue;
+      }
       late_members_.push_back(
           {into_, sets, upper_case(set.name), scope + upper_case(field), current_.name, line.place});
       continue;
@@ -213,7 +259,7 @@ void DeckReader::add_late_members() {
   for (const LateMembers& late : own) {
     std::map<std::string, Set>& sets = into_->*late.sets;
     const auto from = sets.find(late.from);
-    const auto refuse = [&](const std::string& why) { mistake(Card{late.card, {}, late.place}.message(why)); };
+    const auto refuse = [&](const std::string& why) { mistake(late.place, why, late.card); };
     if (from == sets.end()) {
       refuse(fmt::format("there is no set '{}'", late.from));
     } else if (incomplete.contains({late.sets == &Deck::node_sets, late.from})) {
@@ -225,6 +271,49 @@ void DeckReader::add_late_members() {
         if (known.insert(member).second) set.members.push_back(member);
     }
   }
+}
+
+void DeckReader::set_skins_apart() {
+  const auto is_solid = [](const ElementBlock& block) { return block.type.analysis == settings::Analysis::solid; };
+  std::unordered_set<std::int64_t> in_section;
+  for (const Section& section : deck_.sections)
+    if (const auto set = deck_.element_sets.find(section.elements); set != deck_.element_sets.end())
+      in_section.insert(set->second.members.begin(), set->second.members.end());
+  const auto has_section = [&](const Numbers& numbers) {
+    return std::ranges::any_of(numbers, [&](std::int64_t element) { return in_section.contains(element); });
+  };
+  if (std::ranges::any_of(deck_.elements, is_solid)) {
+    const std::size_t n_blocks = deck_.elements.size();
+    std::erase_if(deck_.elements, [&](ElementBlock& block) {
+      if (is_solid(block) || has_section(block.numbers)) return false;
+      deck_.skins.push_back({upper_case(block.type.name), static_cast<std::size_t>(mesh::n_nodes(block.type.cell)),
+                             std::move(block.numbers), std::move(block.nodes), block.place(0)});
+      return true;
+    });
+    if (deck_.elements.size() != n_blocks) {
+      deck_.element_of_number = {};
+      for (std::uint32_t b = 0; b < deck_.elements.size(); ++b)
+        for (std::uint32_t e = 0; e < deck_.elements[b].numbers.size(); ++e)
+          deck_.element_of_number.insert(deck_.elements[b].numbers[e], {b, e});
+    }
+  }
+  std::set<std::string> left_out;
+  std::size_t n = 0;
+  for (const SkinElements& skin : deck_.skins) {
+    if (deck_.elements.empty() || deck_.sections.empty() || has_section(skin.numbers)) {
+      deck_.impossible.push_back(
+          {skin.place, "ELEMENT",
+           fmt::format("elements of type {}: only solid elements and sections of solids are known", skin.type)});
+      continue;
+    }
+    left_out.insert(skin.type);
+    n += skin.numbers.size();
+  }
+  if (n > 0)
+    deck_.left_out.push_back({deck_.skins.front().place, "ELEMENT",
+                              fmt::format("{} elements of type {} are lines and faces without a section: they are not "
+                                          "bodies, only their sets count",
+                                          n, fmt::join(left_out, ", "))});
 }
 
 void DeckReader::surface(const Card& card) {

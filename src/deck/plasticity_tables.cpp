@@ -26,10 +26,18 @@ class PlasticityMaker {
   void make(config::Material& made) {
     if (table_.rows.empty()) return refuse("it has no data");
     if (!yields(material_)) {
-      if (!material_.creep) return refuse("the yield stress is zero, and the material has no *CREEP");
+      if (!material_.creep)
+        return refuse("the yield stress is zero, and the material has no *CREEP: it would flow under any load");
+      draft_.left_out.push_back({table_.place, "PLASTIC",
+                                 "a yield stress of zero, as in CalculiX: without an elastic range all inelastic "
+                                 "strain is creep, by *CREEP"});
       draft_.comment("materials." + made.name, "yield stress zero: all inelastic strain is creep");
       return;
     }
+    if (std::ranges::any_of(table_.rows, [](const auto& row) { return !(row[stress_column] > 0); }))
+      return refuse(
+          "a curve that begins at a yield stress of zero flows at any stress; begin it where the first plastic strain "
+          "is seen, or write zero throughout, next to *CREEP, for creep alone");
     if (material_.elasticity != Elasticity::isotropic) return refuse("with elasticity along axes");
     if (material_.potential) return refuse("next to *POTENTIAL: yielding by Hill's stress is not known, only creep is");
     if (material_.creep && std::ranges::any_of(draft_.deck.steps, &Step::is_creep))

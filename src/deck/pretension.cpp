@@ -37,10 +37,14 @@ class Cutter {
     const auto found = deck_.surfaces.find(upper_case(name));
     if (found == deck_.surfaces.end() || found->second.of_nodes)
       return refuse(raw, fmt::format("there is no surface '{}' of element faces", name));
-    const auto reference = whole_number(raw.card.value("NODE"));
-    if (!reference) return refuse(raw, "NODE is missing: the reference node");
+    const std::string& node = raw.card.value("NODE");
+    if (node.empty()) return refuse(raw, "NODE is missing: the reference node");
+    const Numbers reference = Resolver(deck_).nodes(node);
+    if (reference.size() != 1)
+      return refuse(raw, fmt::format("NODE={} is {} nodes; expected the reference node, or a set of this node alone",
+                                     node, reference.size()));
     PretensionSection section;
-    section.reference = *reference;
+    section.reference = reference.front();
     section.place = raw.card.place;
     section.faces = faces_of(deck_, found->second, impossible_);
     if (section.faces.empty()) return refuse(raw, fmt::format("the surface '{}' has no faces", name));
@@ -99,6 +103,7 @@ class Cutter {
     std::int64_t next = *std::ranges::max_element(deck_.node_numbers) + 1;
     for (const std::int64_t node : nodes) {
       copy_of[node] = next;
+      deck_.copies[next] = node;
       section.nodes.emplace_back(next, node);
       deck_.node_of_number.insert(next, static_cast<std::uint32_t>(deck_.positions.size()));
       deck_.node_numbers.push_back(next++);

@@ -5,17 +5,12 @@
 #include "draft.hpp"
 #include "element_faces.hpp"
 #include "plasticity_tables.hpp"
+#include "print_cards.hpp"
 
 namespace creepcontact::deck {
 namespace {
 
 constexpr std::size_t most = 20;
-
-bool asks_for(const RawCard& raw, const std::string& what) {
-  return std::ranges::any_of(raw.data, [&](const std::vector<std::string>& line) {
-    return std::ranges::any_of(line, [&](const std::string& field) { return upper_case(field) == what; });
-  });
-}
 
 /// Adds a probe. @param where  with its place
 std::string add_probe(Draft& draft, const std::string& name, const std::string& quantity, config::Probe where) {
@@ -179,6 +174,7 @@ void make_probes(Draft& draft) {
   if (deforms) {
     make_displacements(draft);
     make_reactions(draft);
+    make_reference_probes(draft);
     make_stresses(draft);
   }
   if (draft.config.probes.empty())

@@ -7,10 +7,18 @@
 namespace creepcontact::deck {
 namespace {
 
-Numbers resolved(const std::string& target, const std::map<std::string, Set>& sets) {
-  if (const auto own = whole_number(target)) return {*own};
+Numbers resolved(const Deck& deck, const std::string& target, bool of_nodes) {
+  const auto& sets = of_nodes ? deck.node_sets : deck.element_sets;
+  if (const auto own = whole_number(target)) {
+    // In an assembly a number is that of one of its own nodes.
+    const std::int64_t in_assembly = *own + deck.assembly_offset;
+    return {of_nodes && deck.node_of_number.contains(in_assembly) ? in_assembly : *own};
+  }
   const auto found = sets.find(upper_case(target));
-  if (found == sets.end()) return {};
+  if (found == sets.end()) {
+    const auto own = deck.number_in_instance(target, of_nodes);
+    return own ? Numbers{*own} : Numbers();
+  }
   Numbers unique = found->second.members;
   std::ranges::sort(unique);
   unique.erase(std::unique(unique.begin(), unique.end()), unique.end());
@@ -20,7 +28,7 @@ Numbers resolved(const std::string& target, const std::map<std::string, Set>& se
 }  // namespace
 
 Numbers Resolver::nodes(const std::string& target) const {
-  Numbers found = resolved(target, deck_.node_sets);
+  Numbers found = resolved(deck_, target, true);
   if (found.size() == 1)
     if (const auto other = deck_.same_as.find(found.front()); other != deck_.same_as.end())
       found.front() = other->second;
@@ -29,7 +37,7 @@ Numbers Resolver::nodes(const std::string& target) const {
 }
 
 Numbers Resolver::elements(const std::string& target) const {
-  Numbers found = resolved(target, deck_.element_sets);
+  Numbers found = resolved(deck_, target, false);
   std::erase_if(found, [&](std::int64_t element) { return !deck_.element_of_number.contains(element); });
   return found;
 }

@@ -30,6 +30,17 @@ bool is_condition(const RawCard& raw) {
   return conditions.contains(raw.card.name);
 }
 
+/// Whether a bolt is held while other loads come: its force is that before them.
+bool holds_bolts_under_loads(const Deck& deck) {
+  const auto holds = [](const RawCard& raw) { return raw.card.name == "BOUNDARY" && raw.card.has("FIXED"); };
+  const auto loads = [&](const RawCard& raw) { return is_condition(raw) && !holds(raw) && !raw.data.empty(); };
+  if (std::ranges::none_of(deck.cards, [](const RawCard& raw) { return raw.card.name == "PRE-TENSION SECTION"; }))
+    return false;
+  const auto first =
+      std::ranges::find_if(deck.steps, [&](const Step& step) { return std::ranges::any_of(step.cards, holds); });
+  return std::any_of(first, deck.steps.end(), [&](const Step& step) { return std::ranges::any_of(step.cards, loads); });
+}
+
 bool has_amplitude(const RawCard& raw) {
   return is_condition(raw) && !raw.card.value("AMPLITUDE").empty();
 }
@@ -48,7 +59,8 @@ double time_of_static_step(const Deck& deck) {
   constexpr double of_shortest = 1e-6;
   constexpr double of_all = 1e-8;  // outputs just before a jump are 1e-9 of the time before it
   const bool warms_up = std::ranges::any_of(deck.steps, &Step::is_transient);
-  if (!warms_up && (!depends_on_path(deck) || is_one_load_that_lasts(deck))) return 0;
+  const bool counts_order = depends_on_path(deck) && !is_one_load_that_lasts(deck);
+  if (!warms_up && !counts_order && !holds_bolts_under_loads(deck)) return 0;
   double shortest = std::numeric_limits<double>::infinity(), all = 0;
   for (const Step& step : deck.steps)
     if (step.takes_time()) {

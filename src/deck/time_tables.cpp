@@ -75,6 +75,7 @@ std::set<double> sudden_times(const Loading& loading) {
   for (const auto& [node, course] : loading.temperatures) add(course);
   for (const Loading::Body& load : loading.bodies) add(load.course);
   for (const auto& [node, course] : loading.heat.temperatures) add(course);
+  for (const auto& [node, lock] : loading.locked) times.insert(lock.time);
   for (const auto& [key, windows] : loading.windows)
     for (const Window& window : windows)
       for (const auto& time : {window.from, window.until})
@@ -89,7 +90,8 @@ void make_time(Draft& draft) {
   constexpr double just_before = 1e-9;  // of the time
   std::set<double> times(draft.loading.step_ends.begin(), draft.loading.step_ends.end());
   times.erase(0);
-  const std::set<double> sudden = sudden_times(draft.loading);
+  std::set<double> sudden = sudden_times(draft.loading);
+  sudden.insert(draft.changes.begin(), draft.changes.end());
   for (const double time : times) {
     const bool is_sudden = time != draft.loading.end && sudden.contains(time);
     draft.config.time.output.push_back(rounded(is_sudden ? time * (1 - just_before) : time));

@@ -28,6 +28,14 @@ struct ElementBlock {
   Place place(std::size_t element) const;
 };
 
+/// Elements of lines and faces that programs write next to the bodies for groups of a mesh.
+struct SkinElements {
+  std::string type;
+  std::size_t n_nodes = 0;
+  Numbers numbers, nodes;
+  Place place;
+};
+
 /// An element of *SPRING.
 struct SpringElement {
   std::string type;  ///< SPRINGA, SPRING1 or SPRING2
@@ -165,10 +173,16 @@ struct Note {
   std::string card, consequence;
 };
 
+/// What is added to the numbers of an instance's nodes and elements in the model.
+struct InstanceOffsets {
+  std::int64_t node = 0, element = 0;
+};
+
 struct Deck {
   Numbers node_numbers;
   std::vector<Vector3> positions;  ///< by node_numbers
   std::vector<ElementBlock> elements;
+  std::vector<SkinElements> skins;
   std::vector<SpringElement> springs;
   std::vector<GasketElement> gaskets;
   std::vector<GasketSection> gasket_sections;
@@ -184,13 +198,21 @@ struct Deck {
   std::vector<RawCard> cards;  ///< before the steps: supports, contacts, ties, initial conditions, constraints
   std::vector<Step> steps;
   std::vector<Note> left_out, impossible;
+  std::map<std::string, InstanceOffsets> instances;  ///< by name in upper case
+  std::int64_t assembly_offset = 0;  ///< of the numbers of nodes that the assembly itself defines; 0: there are none
 
+  /// Whether there is nothing but nodes, elements, sets and surfaces.
+  bool is_only_mesh() const;
+  /// Returns the number of "INSTANCE.5" in the model; nullopt if a name is none of this kind. @param is_node  else an
+  /// element
+  std::optional<std::int64_t> number_in_instance(const std::string& name, bool is_node) const;
   /// Whether temperatures are computed.
   bool conducts() const;
   /// Whether displacements are.
   bool deforms() const;
 
   std::unordered_map<std::int64_t, std::int64_t> same_as;  ///< nodes that became one with another: that one
+  std::map<std::int64_t, std::int64_t> copies;             ///< nodes that a cut has added: what each is a copy of
   NumberMap<std::uint32_t> node_of_number;                 ///< index into positions
   struct ElementPlace {
     std::uint32_t block = 0, element = 0;

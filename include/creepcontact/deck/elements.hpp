@@ -25,6 +25,9 @@ struct ElementType {
 /// nullopt if the program has no such element: shells, beams, springs, fluids.
 std::optional<ElementType> element_type(std::string_view name);
 
+/// Returns the number of nodes of a shell, membrane, beam or truss; nullopt for another type.
+std::optional<std::size_t> n_nodes_of_skin(std::string_view name);
+
 /// A gasket element: its two sides, one opposite the other.
 struct GasketShape {
   std::size_t n_nodes = 0;

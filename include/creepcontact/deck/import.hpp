@@ -14,6 +14,7 @@ struct Import {
   config::Comments comments;          ///< on what each table comes from
   std::string msh;                    ///< content of the mesh file
   std::string temperatures = {};      ///< content of the table of temperatures, if there is one
+  std::vector<std::string> found;     ///< one line per contact that the deck does not name: place, card, what it is
   std::vector<std::string> left_out;  ///< one line per card not taken into account or missed: place, card, consequence
 };
 

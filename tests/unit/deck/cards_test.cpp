@@ -102,7 +102,15 @@ TEST(Cards, WhatIsNoDeck) {
   EXPECT_TRUE(creepcontact::test::says(refusal("1, 2\n"), {"deck.inp: ", "no cards", "*NODE", "*ELEMENT"}));
   EXPECT_EQ(seen("A title\n*NODE\n"), "NODE;");
   EXPECT_TRUE(creepcontact::test::says(refusal(std::string("*NODE\n\0\n", 8)), {"deck.inp:2: ", "not text"}));
-  EXPECT_TRUE(creepcontact::test::says(refusal("*NODE\n*\n"), {"deck.inp:2: ", "without a name"}));
+}
+
+/// CalculiX does not read the lines below a card that it does not know.
+TEST(Cards, LinesOfOneStarDivideDecks) {
+  const auto read = [](const std::string& text) {
+    return creepcontact::test::message_of<ConfigError>([&] { seen(text); });
+  };
+  EXPECT_EQ(seen("*\n*NODE\n1\n*\n*-----\n* ,\n*STEP\n*"), seen("*NODE\n1\n*STEP\n"));
+  EXPECT_TRUE(creepcontact::test::says(read("*NODE\n1\n*\n2\n"), {"deck.inp:4: data", "deck.inp:3", "**"}));
 }
 
 }  // namespace

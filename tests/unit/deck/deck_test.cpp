@@ -164,9 +164,9 @@ TEST(Deck, WhatIsLeftOutAndWhatIsImpossible) {
   ASSERT_EQ(deck.impossible.size(), 4U);
   EXPECT_EQ(deck.impossible[0].card, "HYPERELASTIC");
   EXPECT_EQ(deck.impossible[0].place.line, 8U);
-  EXPECT_TRUE(says(deck.impossible[1].consequence, {"S8R"}));
-  EXPECT_TRUE(says(deck.impossible[2].consequence, {"unknown card", "'BOUNDARY'"}));
-  EXPECT_TRUE(says(deck.impossible[3].consequence, {"*STATIC", "*VISCO"}));
+  EXPECT_TRUE(says(deck.impossible[1].consequence, {"unknown card", "'BOUNDARY'"}));
+  EXPECT_TRUE(says(deck.impossible[2].consequence, {"*STATIC", "*VISCO"}));
+  EXPECT_TRUE(says(deck.impossible[3].consequence, {"S8R"}));
   ASSERT_EQ(deck.left_out.size(), 1U);
 }
 
@@ -204,8 +204,55 @@ TEST(Deck, EveryMistakeIsNamedWithItsPlace) {
   EXPECT_TRUE(says(refusal(square + "*NSET, NSET=X, GENERATE\n1, 1000000000000\n"),
                    {"deck.inp:9: *NSET: ", "10000000 members"}));
   std::string many = square + "*NODE\n";
-  for (int i = 0; i < 80; ++i) many += "x\n";
-  EXPECT_TRUE(says(refusal(many), {"30 more"}));
+  for (int i = 0; i < 80; ++i) many += "x" + std::to_string(i) + "\n";
+  EXPECT_TRUE(says(refusal(many), {"'x49'", "and 30 more"}));
+}
+
+/// What is missing is one mistake, wherever it is named.
+TEST(Deck, MistakesOfOneCauseAreOne) {
+  std::string faces = square + "*ELSET, ELSET=Some\n7\n";
+  for (int i = 0; i < 1000; ++i) faces += "7, S" + std::to_string(1 + i % 4) + "\n";
+  EXPECT_EQ(refusal(faces),
+            "deck.inp:10: *ELSET: faces of elements (S1 to S6) belong below *SURFACE; is the line of a *SURFACE "
+            "missing? (and at 999 more places)");
+  EXPECT_EQ(refusal("*ELEMENT, TYPE=CPE4\n1, 1, 2, 3, 4\n2, 5, 6, 7, 8\n"),
+            "deck.inp:1: *ELEMENT: element 1 has the node 1, which no *NODE defines; nor 7 other nodes of elements");
+  EXPECT_EQ(refusal(square + "*NSET, NSET=A\nnone\n*NSET, NSET=B\nnone, 1\n"),
+            "deck.inp:9: *NSET: there is no set 'NONE' (and at 1 more place)");
+}
+
+/// Lines and faces that a mesh program writes next to the bodies name nodes.
+TEST(Deck, ElementsOfLinesAndFacesOfAMesh) {
+  const std::string mesh =
+      "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n*ELEMENT, TYPE=T3D2, ELSET=Line\n1, 1, 2\n"
+      "*ELEMENT, TYPE=CPS3, ELSET=Low\n2, 1, 3, 2\n*ELEMENT, TYPE=S3, ELSET=High\n3, 2, 3, 4\n"
+      "*ELEMENT, TYPE=C3D4, ELSET=Body\n4, 1, 2, 3, 4\n*NSET, NSET=n, ELSET=Low\n*NSET, NSET=n, ELSET=HIGH\n";
+  const std::string section = "*SOLID SECTION, ELSET=Body, MATERIAL=M\n";
+  const Deck deck = read(mesh + section);
+  ASSERT_EQ(deck.elements.size(), 1U);
+  EXPECT_EQ(deck.elements[0].numbers, Numbers{4});
+  EXPECT_EQ(deck.element_of_number.at(4).block, 0U);
+  EXPECT_FALSE(deck.element_of_number.contains(2));
+  EXPECT_EQ(deck.node_sets.at("N").members, (Numbers{1, 3, 2, 4}));
+  ASSERT_EQ(deck.left_out.size(), 1U);
+  EXPECT_TRUE(says(deck.left_out[0].consequence, {"3 elements", "CPS3, S3, T3D2", "not bodies"}));
+  EXPECT_TRUE(read(mesh).is_only_mesh());
+  EXPECT_FALSE(deck.is_only_mesh());
+  const Deck shell = read(mesh + section + "*SOLID SECTION, ELSET=High, MATERIAL=M\n");
+  ASSERT_EQ(shell.impossible.size(), 1U);
+  EXPECT_TRUE(says(shell.impossible[0].consequence, {"type S3"}));
+}
+
+TEST(Deck, NodesOfInstancesByNumber) {
+  const Deck deck = read(
+      "*Part, name=P\n*Node\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n*Element, type=CPS4\n1, 1, 2, 3, 4\n*End Part\n"
+      "*Assembly, name=A\n*Instance, name=P-1, part=P\n*End Instance\n*Instance, name=P-2, part=P\n*End Instance\n"
+      "*Nset, nset=both\nP-1.2, p-2.3\n*End Assembly\n");
+  EXPECT_EQ(deck.node_sets.at("BOTH").members, (Numbers{2, 7}));
+  EXPECT_EQ(deck.number_in_instance("P-2.1", true), 5);
+  EXPECT_EQ(deck.number_in_instance("P-2.1", false), 2);
+  EXPECT_FALSE(deck.number_in_instance("P-3.1", true));
+  EXPECT_FALSE(deck.number_in_instance("P-2.x", true));
 }
 
 TEST(ElementTypes, NamesVariantsAndFaces) {
