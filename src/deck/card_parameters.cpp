@@ -218,6 +218,11 @@ std::map<std::string, List> lists() {
   of["RIGID BODY"] = taken({"NSET", "ELSET", "REF NODE", "ROT NODE", "TIE NSET", "PIN NSET"}) +
                      only("POSITION", {"INPUT"}) + ignored({"ISOTHERMAL"}) +
                      refused({"ANALYTICAL SURFACE"}, "analytical surfaces are not known");
+  of["COUPLING"] = taken({"REF NODE", "SURFACE"}) + ignored({"CONSTRAINT NAME"}) +
+                   refused({"INFLUENCE RADIUS"}, "couplings are those of whole surfaces") +
+                   refused({"ORIENTATION"}, "components of couplings are those along x, y and z");
+  of["KINEMATIC"] = {};
+  of["DISTRIBUTING"] = one_of("WEIGHTING METHOD", {"UNIFORM"}) + one_of("COUPLING", {"CONTINUUM"});
   of["NODE PRINT"] = of_prints();
   of["EL PRINT"] = of_prints();
   for (const char* card : {"END STEP", "END PART", "END INSTANCE"}) of[card] = {};

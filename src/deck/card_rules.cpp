@@ -84,7 +84,8 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     keep(Where::model, 6, {"CYCLIC SYMMETRY MODEL"});
     keep(Where::model, 0,
          {"INITIAL CONDITIONS", "SURFACE INTERACTION", "SURFACE BEHAVIOR", "CLEARANCE", "RIGID BODY", "CONTACT",
-          "SPRING", "GAP CONDUCTANCE"});
+          "SPRING", "GAP CONDUCTANCE", "COUPLING"});
+    keep(Where::model, 2, {"KINEMATIC", "DISTRIBUTING"});
     add(Kind::impossible, "contact that changes from step to step is not known", {"CHANGE SURFACE BEHAVIOR"});
     const std::string general =
         "a setting of general *CONTACT that is not known; *CONTACT PAIR with the surfaces that may touch is";
@@ -143,9 +144,8 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
         {"GASKET ELASTICITY"});
     add(Kind::left_out, "it counts for output only", {"GASKET CONTACT AREA"});
     add(Kind::left_out, "the first surface of a pair is the slave", {"CONTACT FORMULATION"});
-    add(Kind::impossible, "couplings are not known; *RIGID BODY, *EQUATION and loads on surfaces are",
-        {"COUPLING", "KINEMATIC", "DISTRIBUTING", "KINEMATIC COUPLING", "DISTRIBUTING COUPLING", "EMBEDDED ELEMENT",
-         "SHELL TO SOLID COUPLING"});
+    add(Kind::impossible, "this kind of coupling is not known; *COUPLING with *KINEMATIC or *DISTRIBUTING is",
+        {"KINEMATIC COUPLING", "DISTRIBUTING COUPLING", "EMBEDDED ELEMENT", "SHELL TO SOLID COUPLING"});
     add(Kind::impossible, "a body with stresses or strains at the start is not known",
         {"INITIAL STRESS", "INITIAL STRAIN INCREASE"});
     add(Kind::impossible, "materials that change from step to step are not known",

@@ -74,15 +74,18 @@ std::array<Function, 3> resultant(const std::map<std::int64_t, std::map<int, Cou
 }
 
 void make_rigid(Draft& draft, const RigidGroup& group) {
-  const auto refuse = [&](const std::string& why) { draft.impossible.push_back({group.place, "RIGID BODY", why}); };
+  const auto refuse = [&](const std::string& why) { draft.impossible.push_back({group.place, group.card, why}); };
   Numbers nodes = group.nodes;
   std::erase_if(nodes, [&](std::int64_t node) { return !draft.is_used(node); });
   if (nodes.empty()) return refuse("no element has its nodes");
-  for (const std::int64_t node : nodes)
-    if (draft.bodies_at(node) != draft.bodies_at(nodes.front()))
-      return refuse("its nodes belong to several bodies; a rigid surface is one of a single body");
+  const bool is_rigid = group.surface.empty();
+  const auto surface = draft.deck.surfaces.find(group.surface);
   config::Rigid rigid;
-  rigid.on = {{.name = draft.mesh.add_nodes(draft.name_for(nodes, "rigid"), nodes), .location = {}}};
+  rigid.on = {{.name = is_rigid ? draft.mesh.add_nodes(draft.name_for(nodes, "rigid"), nodes)
+                                : draft.mesh.add_faces(
+                                      surface == draft.deck.surfaces.end() ? group.surface : surface->second.name,
+                                      faces_named(draft.deck, group.surface, draft.impossible)),
+               .location = {}}};
   rigid.origin = rounded(draft.position(group.reference));
   const std::int64_t turning = group.rotation.value_or(group.reference);
   const int first = group.rotation ? 1 : 4;
@@ -92,7 +95,8 @@ void make_rigid(Draft& draft, const RigidGroup& group) {
   }
   rigid.rotation = three(draft.loading.supports, turning, first);
   rigid.moment = resultant(draft.loading.forces, turning, first);
-  draft.add(draft.config.rigid, rigid, "rigid", group.place.text() + ": *RIGID BODY");
+  draft.add(is_rigid ? draft.config.rigid : draft.config.coupling, rigid, is_rigid ? "rigid" : "coupling",
+            group.place.text() + ": *" + group.card);
 }
 
 void make_equation(Draft& draft, const DeckEquation& equation) {

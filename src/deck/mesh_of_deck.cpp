@@ -1,6 +1,7 @@
 #include "creepcontact/deck/mesh_of_deck.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -18,6 +19,13 @@ std::map<int, Numbers> by_dimension(const Deck& deck, const Numbers& elements) {
   std::map<int, Numbers> result;
   for (const std::int64_t element : elements) result[mesh::dimension(element_cell(deck, element))].push_back(element);
   return result;
+}
+
+/// Triangles and quadrilaterals; lines are left out.
+bool is_face(const SkinElements& skin) {
+  constexpr std::array faces{"CPS", "CPE", "CAX", "S", "M3D", "STRI", "DC2D", "SFM3D", "R3D"};
+  return (skin.n_nodes == 3 || skin.n_nodes == 4 || skin.n_nodes == 6 || skin.n_nodes == 8) &&
+         std::ranges::any_of(faces, [&](const char* start) { return skin.type.starts_with(start); });
 }
 
 Numbers all_elements(const Deck& deck) {
@@ -43,6 +51,20 @@ io::MshContent mesh_of_deck(const std::filesystem::path& path) {
   };
   for (const auto& [upper, set] : deck.element_sets)
     if (const Numbers elements = resolver.elements(upper); !elements.empty()) add(set.name, elements);
+  std::map<std::int64_t, Numbers> skins;  // nodes by the number of the element
+  for (const SkinElements& skin : deck.skins) {
+    if (!is_face(skin)) continue;
+    for (std::size_t i = 0; i < skin.numbers.size(); ++i) {
+      const auto first = skin.nodes.begin() + static_cast<std::ptrdiff_t>(i * skin.n_nodes);
+      skins[skin.numbers[i]] = {first, first + static_cast<std::ptrdiff_t>(skin.n_nodes)};
+    }
+  }
+  for (const auto& [upper, set] : deck.element_sets) {
+    std::vector<Numbers> faces;
+    for (const std::int64_t member : set.members)
+      if (const auto found = skins.find(member); found != skins.end()) faces.push_back(found->second);
+    if (!faces.empty()) output.add_skin(set.name, faces);
+  }
   Numbers left = all_elements(deck);
   std::erase_if(left, [&](std::int64_t element) { return grouped.contains(element); });
   if (!left.empty()) add(grouped.empty() ? "elements" : "other_elements", left);
@@ -54,7 +76,12 @@ io::MshContent mesh_of_deck(const std::filesystem::path& path) {
   for (const auto& [upper, set] : deck.node_sets)
     if (const Numbers nodes = resolver.nodes(upper); !nodes.empty()) output.add_nodes(set.name, nodes);
   std::size_t n_other = 0;
-  for (const Note& note : deck.impossible) n_other += note.card == "ELEMENT" ? 1 : 0;
+  for (const SkinElements& skin : deck.skins) n_other += is_face(skin) ? 0 : 1;
+  for (const Note& note : deck.impossible) {
+    const bool is_skin = std::ranges::any_of(
+        deck.skins, [&](const SkinElements& skin) { return skin.place.text() == note.place.text(); });
+    n_other += note.card == "ELEMENT" && !is_skin ? 1 : 0;
+  }
   if (n_other > 0)
     log::warning("{}: {} kinds of elements are left out: only solid elements and sections of solids are known",
                  path.string(), n_other);

@@ -104,4 +104,15 @@ std::string MeshOutput::add_faces(const std::string& wanted, const std::vector<E
   return name;
 }
 
+std::string MeshOutput::add_skin(const std::string& wanted, const std::vector<Numbers>& faces) {
+  static const std::map<std::size_t, CellType> types{
+      {3, CellType::tri3}, {4, CellType::quad4}, {6, CellType::tri6}, {8, CellType::quad8}};
+  constexpr std::array places{0, 1, 2, 3, 4, 5, 6, 7};
+  std::string name = free_name(wanted);
+  const auto group = new_group(2, name);
+  for (const Numbers& nodes : faces)
+    add_cell(group, types.at(nodes.size()), next_number_++, nodes, std::span(places).first(nodes.size()));
+  return name;
+}
+
 }  // namespace creepcontact::deck

@@ -21,6 +21,8 @@ class MeshOutput {
   /// The group that there is, if these nodes have one.
   std::string add_nodes(const std::string& name, const Numbers& nodes);
   std::string add_faces(const std::string& name, const std::vector<ElementFace>& faces);
+  /// Triangles and quadrilaterals by their nodes. @param faces  nodes of each, at least one
+  std::string add_skin(const std::string& name, const std::vector<Numbers>& faces);
   io::MshContent take() { return std::move(content_); }
 
  private:

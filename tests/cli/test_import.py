@@ -319,6 +319,26 @@ class Import(ImportTest):
         self.expect_close(row["ux_node_7"], -0.005, 1e-9)
         self.expect_close(row["uy_node_7"], 0.005, 1e-9)
 
+    def test_couplings(self):
+        """The top of the cube follows a node, as a whole or in the mean; the force and the moment there act on it."""
+        coupling = ("*NODE\n100, 2.5, 0.5, 1\n*SURFACE, NAME=Top\nCube, S2\n*COUPLING, CONSTRAINT NAME=c, REF NODE=100, SURFACE=Top\n"
+                    "*{}\n")
+        step = "*STEP\n*STATIC\n{}*NODE PRINT, NSET=Nall\nU\n*END STEP\n"
+        for name, kind, table in (("whole", "KINEMATIC\n1, 3", "rigid"), ("mean", "DISTRIBUTING", "coupling"),
+                                  ("all", "DISTRIBUTING\n1, 6", "coupling")):
+            # The force at an arm of 2, and the moment that takes it back to the middle.
+            self.import_deck(name, CUBE + coupling.format(kind) + step.format("*CLOAD\n100, 3, 50.\n100, 5, 100.\n"))
+            self.assertIn(f"[[{table}]]", (self.directory / f"imported/{name}.toml").read_text())
+            row = self.run_imported(name)[-1]
+            for node in (5, 6, 7, 8):
+                self.expect_close(row[f"uz_node_{node}"], 0.0005, 1e-6)
+        # A motion of the mean leaves the surface free to become narrower.
+        self.import_deck("moved", CUBE + coupling.format("DISTRIBUTING") + step.format("*BOUNDARY\n100, 3, 3, 0.001\n100, 4, 6\n"))
+        self.expect_close(self.run_imported("moved")[-1]["uz_node_7"], 0.001, 1e-6)
+        for number, (wrong, fact) in enumerate((("KINEMATIC\n3, 3", "displacements"), ("EMBEDDED ELEMENT", "this kind"))):
+            done = self.import_deck(f"wrong_{number}", CUBE + coupling.format(wrong) + step.format(""), 2)
+            self.assertSays(done.stderr, fact)
+
     def test_sector(self):
         """A quarter of a thick square tube under pressure, with one element: the cut faces are linked."""
         text = ("*NODE, NSET=Nall\n1, 1, 0, 0\n2, 2, 0, 0\n3, 0, 2, 0\n4, 0, 1, 0\n5, 1, 0, 1\n6, 2, 0, 1\n7, 0, 2, 1\n8, 0, 1, 1\n"

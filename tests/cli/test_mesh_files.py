@@ -413,18 +413,18 @@ on = "{probe}"
         self.assertSays(said, "warning: ", "1 of 2 nodes", "'all'")
         said = self.run_mesh("bar.unv", with_group(unv(), "left", [1, 2]), bar="bar", left="left", right="right")
         self.assertSays(said, "warning: ", "'left'", "2 nodes", "'left (nodes)'")
-        self.run_mesh("bar.unv", with_group(unv(), "left", [1, 2, 3, 4]), bar="bar", left="left (nodes)", right="right")
+        self.run_mesh("bar.unv", with_group(unv(), "left", LEFT_FACE), bar="bar", left="left (nodes)", right="right")
         self.run_mesh("bar.unv", with_group(orphan, "none", [99]), bar="bar", left="left", right="right")
 
     def test_decks_as_meshes(self):
         """Sets of elements, surfaces and sets of nodes; materials and steps of the deck do not count."""
         nodes = "".join(f"{1 + k + 2 * j + 4 * i}, {i}, {j}, {k}\n" for i in range(3) for j in (0, 1) for k in (0, 1))
-        elements = "1, 1, 3, 4, 2, 5, 7, 8, 6\n2, 5, 7, 8, 6, 9, 11, 12, 10\n"
+        elements = "3, 1, 3, 4, 2, 5, 7, 8, 6\n4, 5, 7, 8, 6, 9, 11, 12, 10\n"
         deck = (f"** a mesh alone\n*NODE, NSET=Nall\n{nodes}*ELEMENT, TYPE=C3D8, ELSET=Bar\n{elements}*NSET, NSET=Left\n1, 2, 3, 4\n"
-                "*SURFACE, NAME=Right, TYPE=ELEMENT\n2, S2\n")
+                "*SURFACE, NAME=Right, TYPE=ELEMENT\n4, S2\n")
         self.run_mesh("bar.inp", deck, bar="Bar", left="Left", right="Right")
         # of a mesh program: the faces on the right are elements too, in a set of theirs
-        faces = "*ELEMENT, TYPE=CPS4, ELSET=right faces\n3, 9, 10, 12, 11\n*ELEMENT, TYPE=T3D2, ELSET=edge\n4, 1, 2\n"
+        faces = "*ELEMENT, TYPE=CPS4, ELSET=right faces\n5, 9, 10, 12, 11\n*ELEMENT, TYPE=T3D2, ELSET=edge\n6, 1, 2\n"
         said = self.run_mesh("salome.inp", deck + faces, bar="Bar", left="Left", right="right faces")
         self.assertSays(said, "warning: ", "salome.inp", "left out")
         finished = deck + "*MATERIAL, NAME=M\n*ELASTIC\n1., 0.\n*SOLID SECTION, ELSET=Bar, MATERIAL=M\n*STEP\n*STATIC\n*END STEP\n"

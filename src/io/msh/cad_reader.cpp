@@ -81,7 +81,12 @@ std::map<int, std::vector<mesh::Face>> triangles(const MshContent& content) {
     const auto n = static_cast<std::size_t>(element->n_nodes);
     for (std::size_t i = 0; i + n <= elements.nodes.size(); i += n) {
       mesh::Face& face = result[elements.entity.tag].emplace_back(mesh::Face{*element->cell, {}});
-      for (std::size_t k = 0; k < n; ++k) face.nodes.push_back(number_of.at(elements.nodes[i + k]));
+      for (std::size_t k = 0; k < n; ++k) {
+        const auto node = number_of.find(elements.nodes[i + k]);
+        if (node == number_of.end())
+          throw ModelError("the mesh of a CAD model has a cell with a node that does not exist");
+        face.nodes.push_back(node->second);
+      }
     }
   }
   return result;
