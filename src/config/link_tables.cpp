@@ -102,7 +102,7 @@ Value<Rigid> motion_table(const std::string& on) {
           .otherwise("the mean position of the nodes"),
       only_read(field<Rigid>("reference", &Rigid::origin, triple(number()), "another word for `origin`")
                     .in("length")
-                    .otherwise("`origin`")),
+                    .otherwise("not given: see origin")),
       field<Rigid>("displacement", &Rigid::displacement, components("displacement of the origin along", "length"),
                    "prescribed displacement; components that are not given are free"),
       field<Rigid>("rotation", &Rigid::rotation, components("small rotation in radians about", ""),

@@ -179,7 +179,8 @@ Value<Mesh> mesh_table() {
           .otherwise("a twenty-fifth of the diagonal of the model"),
       field<Mesh>("elements_per_circle", &Mesh::elements_per_circle, number(at_least(0)),
                   "CAD only: elements on a full circle of a curved face; 0: curvature does not count")
-          .changeable(),
+          .changeable()
+          .otherwise("12, of CAD models"),
       field<Mesh>("sizes", &Mesh::sizes, written_inline(list(mesh_size_table())),
                   "CAD only: sizes of the elements on surfaces and near them, or in bodies")
           .changeable()
@@ -199,7 +200,8 @@ Value<Mesh> mesh_table() {
     const bool is_cad = settings::is_cad_file(extension);
     if (extension != ".geo" && !is_cad)
       for (const std::string& key : given_keys(item, {"order", "time_limit", "memory_limit_mb"}))
-        context.errors.add(item.child(key).location, "has no effect on a finished mesh", "with a geometry only");
+        context.errors.add(item.child(key).location, "has no effect on a finished mesh",
+                           "with a geometry (.geo, .step, .iges, .brep) only");
     if (extension != ".geo" && item.has("parameters"))
       context.errors.add(item.child("parameters").location, "has no effect here", "with a .geo file only");
     if (!is_cad)

@@ -265,10 +265,12 @@ Value<Temperature> temperature_table() {
                              "affects the run time, not the results")
           .changeable(),
       field<TemperatureKeys>("scale", &TemperatureKeys::scale, function({"t"}),
-                             "factor on the temperature less `scale_about`: one field, an amplitude in time"),
+                             "factor on the temperature less `scale_about`: one field, an amplitude in time")
+          .otherwise("1, of files"),
       field<TemperatureKeys>("scale_about", &TemperatureKeys::scale_about, number(),
                              "temperature that `scale` leaves as it is")
-          .in("temperature"),
+          .in("temperature")
+          .otherwise("0, of files"),
   });
   return converted<Temperature>(
       keys,

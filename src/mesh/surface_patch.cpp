@@ -98,6 +98,7 @@ std::vector<SurfacePatch> smooth_patches(const Mesh& body, const std::string& na
     parts[found->second].push_back(faces[f]);
   }
   std::vector<SurfacePatch> result;
+  result.reserve(parts.size());
   for (std::vector<Face>& part : parts)
     result.push_back(surface_patch(first + static_cast<int>(result.size()), name, std::move(part), body.nodes));
   return result;

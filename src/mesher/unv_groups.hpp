@@ -20,8 +20,8 @@ struct UnvGroup {
 std::vector<UnvGroup> unv_groups(const std::filesystem::path& file);
 
 /// Makes each of them a physical group, and no others. Elements without a group are dropped; a group of nodes becomes
-/// one of points. Where groups share a name, that of nodes is "name (nodes)", and nodes without elements are left out; both
-/// with a warning on standard error.
+/// one of points. Where groups share a name, that of nodes is "name (nodes)", and nodes without elements are left out;
+/// both with a warning on standard error.
 void set_groups(const std::vector<UnvGroup>& groups, io::MshContent& content);
 
 }  // namespace creepcontact::mesher

@@ -53,7 +53,7 @@ class Completion(CompletionTest):
         return sorted(done.stdout.splitlines())
 
     def test_commands(self):
-        self.assertEqual(self.complete(""), ["--help", "--version", "check", "fit", "heat", "import", "list", "material", "new", "picture", "plot", "report", "run", "study"])
+        self.assertEqual(self.complete(""), ["--help", "--version", "check", "faces", "fit", "heat", "import", "list", "material", "new", "picture", "plot", "report", "run", "study"])
         self.assertEqual(self.complete("pl"), ["plot"])
 
     def test_every_command_of_the_program(self):

@@ -23,7 +23,8 @@ constexpr bool is_cad_file(std::string_view extension) {
                              [&](std::string_view known) { return std::ranges::equal(extension, known, {}, lower); });
 }
 constexpr bool is_mesh_file(std::string_view extension) {
-  return extension == ".geo" || extension == ".msh" || extension == ".inp" || is_converted_mesh(extension) || is_cad_file(extension);
+  return extension == ".geo" || extension == ".msh" || extension == ".inp" || is_converted_mesh(extension) ||
+         is_cad_file(extension);
 }
 constexpr std::string_view mesh_files_in_words = "a .geo, .step, .iges, .brep, .msh, .inp, .unv, .bdf or .nas file";
 

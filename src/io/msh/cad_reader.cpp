@@ -42,8 +42,9 @@ void require_mark(const std::filesystem::path& file) {
   constexpr std::size_t beginning = 4096;
   const char* const mark = mark_of(file);
   if (mark == nullptr) return;
-  const FileBytes head = read_file(file, SIZE_MAX);
-  if (head.failure.empty() && std::string_view(head.bytes).substr(0, beginning).find(mark) == std::string_view::npos)
+  const FileBytes read = read_file(file);
+  const std::string_view bytes = read.bytes;
+  if (read.failure.empty() && bytes.substr(0, beginning).find(mark) == std::string_view::npos)
     throw ModelError(
         fmt::format("{}: the content is not what the name says: it does not begin with {}", file.string(), mark));
 }
@@ -60,12 +61,11 @@ CadResult run(const std::filesystem::path& file, const CadRequest& request, int 
                           .trusted = false,
                           .needs_confinement = false,
                           .cad = request};
-  std::string bytes = run_mesher(all, limits.time_limit);
+  const std::string bytes = run_mesher(all, limits.time_limit);
   const std::size_t end = bytes.find('\n');
   if (end == std::string::npos)
     throw ModelError(fmt::format("{}: creepcontact-mesher made no mesh of the CAD model", file.string()));
-  CadFacts facts = CadFacts::from(std::string_view(bytes).substr(0, end));
-  return {std::move(facts), bytes.substr(end + 1)};
+  return {CadFacts::from(bytes.substr(0, end)), bytes.substr(end + 1)};
 }
 
 /// The triangles of each face, as numbers of nodes.

@@ -89,6 +89,9 @@ mesh::Mesh convert(const std::filesystem::path& file, const GmshOptions& options
 mesh::Mesh read_mesh(const std::filesystem::path& file, const GmshOptions& options) {
   const std::string extension = file.extension().string();
   const bool is_geo = extension == ".geo", is_msh = extension == ".msh";
+  if (settings::is_cad_file(extension) || extension == ".inp")
+    throw ModelError(
+        fmt::format("{}: not a mesh of Gmsh; CAD models and decks have readers of their own", file.string()));
   if (!settings::is_mesh_file(extension))
     throw ModelError(fmt::format("{}: unknown kind of mesh file; allowed: {}{}", file.string(),
                                  settings::mesh_files_in_words, settings::mesh_file_remedy(extension)));

@@ -194,10 +194,9 @@ TEST(ConfigMistakes, Bodies) {
 }
 
 TEST(ConfigMistakes, Mesh) {
-  expect_mistake(
-      minimal,
-      {"--set mesh.file=block.med: mesh.file: ", "'block.med'", ".geo, .step", ".inp, .unv, .bdf", "Salome"},
-      {"mesh.file=block.med"});
+  expect_mistake(minimal,
+                 {"--set mesh.file=block.med: mesh.file: ", "'block.med'", ".geo, .step", ".inp, .unv, .bdf", "Salome"},
+                 {"mesh.file=block.med"});
   expect_mistake(minimal, {"--set mesh.order=2: mesh.order: ", ".geo"}, {"mesh.order=2"});
 }
 

@@ -35,6 +35,7 @@ TEST(KeySections, TablesAsInTheFile) {
   for (const KeySection& section : sections()) titles.push_back(section.title);
   EXPECT_EQ(titles, (Lines{"",
                            "[mesh]",
+                           "[surfaces.<name>]",
                            "[bodies.<name>]",
                            "[bodies.<name>.material_axes]",
                            "[materials.<name>]",
@@ -57,6 +58,7 @@ TEST(KeySections, TablesAsInTheFile) {
                            "[[springs]]",
                            "[[cyclic]]",
                            "[[rigid]]",
+                           "[[coupling]]",
                            "[[equations]]",
                            "[contact_solver]",
                            "[linear_solver]",
