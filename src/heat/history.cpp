@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -100,8 +101,10 @@ class Periods {
     std::vector<double> all = kinks;
     if (!(all_.period > 0)) return all;
     const double close = same_boundary * all_.period;
-    for (double k = 0, t = all_.from; t < end_ - close; t = all_.from + ++k * all_.period) {
-      if (!(t > close)) continue;
+    const auto count = static_cast<std::int64_t>((end_ - close - all_.from) / all_.period) + 1;
+    for (std::int64_t k = 0; k < count; ++k) {
+      const double t = all_.from + static_cast<double>(k) * all_.period;
+      if (!(t > close) || !(t < end_ - close)) continue;
       const auto near = std::ranges::lower_bound(kinks, t - close);
       const bool is_kink = near != kinks.end() && *near <= t + close;
       ends_.push_back(is_kink ? *near : t);

@@ -234,7 +234,7 @@ const std::optional<Function>& prescribed(const config::Rigid& motion, int compo
                        : motion.rotation[static_cast<std::size_t>(component - 3)];
 }
 
-MeanMotion motion_of(const config::Config& config, const BodyMeshes& meshes, const config::Rigid& coupling) {
+MeanMotion motion_of(const BodyMeshes& meshes, const config::Rigid& coupling) {
   std::vector<WeightedNodes> parts;
   for (const config::Reference& on : coupling.on) {
     bool is_somewhere = false;
@@ -284,7 +284,7 @@ void add_motion_loads(const config::Config& config, const BodyMeshes& meshes, co
   }
   for (const config::Rigid& coupling : config.coupling)
     errors.collect(coupling.location, [&] {
-      const MeanMotion motion = motion_of(config, meshes, coupling);
+      const MeanMotion motion = motion_of(meshes, coupling);
       require_known(motion, coupling, meshes);
       motion.add_loads(coupling.force, coupling.moment, bodies);
     });
@@ -320,7 +320,7 @@ std::vector<MotionEquation> motion_equations(const config::Config& config, const
   }
   for (const config::Rigid& coupling : config.coupling)
     errors.collect(coupling.location, [&] {
-      const MeanMotion motion = motion_of(config, meshes, coupling);
+      const MeanMotion motion = motion_of(meshes, coupling);
       for (int k = 0; k < 6; ++k) {
         if (!prescribed(coupling, k) || !motion.knows(k)) continue;
         const std::vector<std::size_t>& bodies = motion.bodies();
