@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <set>
 
@@ -16,9 +15,8 @@
 namespace creepcontact::deck {
 namespace {
 
-constexpr double facing_reach = 0.02;                         // of the diagonal of the smaller body
-constexpr double largest_turn = 40 * std::numbers::pi / 180;  // between faces of one smooth piece
-constexpr double same_area = 0.01;                            // of areas
+constexpr double facing_reach = 0.02;  // of the diagonal of the smaller body
+constexpr double same_area = 0.01;     // of areas
 
 /// A smooth piece of a body that named surfaces contain as a whole or not at all.
 struct Piece {
@@ -121,7 +119,8 @@ class GeneralContact {
       }
     }
     for (auto& [type, block] : blocks) mesh_.blocks.push_back(std::move(block));
-    for (const mesh::SurfacePatch& patch : mesh::smooth_patches(mesh_, bodies_.bodies[body].name, 1, largest_turn)) {
+    for (const mesh::SurfacePatch& patch :
+         mesh::smooth_patches(mesh_, bodies_.bodies[body].name, 1, mesh::sharp_edge)) {
       std::map<std::set<std::string>, std::pair<std::vector<mesh::Face>, std::vector<ElementFace>>> parts;
       for (const mesh::Face& face : patch.faces) {
         const auto found = free_face(face);

@@ -119,15 +119,17 @@ std::optional<Interval> between_shapes(const SurfaceShape& a, const SurfaceShape
 
 }  // namespace
 
+double size_of(std::span<const SurfacePatch> patches) {
+  Eigen::AlignedBox3d box;
+  for (const SurfacePatch& patch : patches) box.extend(patch.box);
+  return box.diagonal().norm();
+}
+
 double near_distance(std::span<const SurfacePatch> patches) {
   constexpr double of_model = 0.005, of_body = 0.05;
-  Eigen::AlignedBox3d model;
   std::map<std::string, Eigen::AlignedBox3d> bodies;
-  for (const SurfacePatch& patch : patches) {
-    model.extend(patch.box);
-    bodies[patch.body].extend(patch.box);
-  }
-  double result = of_model * model.diagonal().norm();
+  for (const SurfacePatch& patch : patches) bodies[patch.body].extend(patch.box);
+  double result = of_model * size_of(patches);
   for (const auto& [name, box] : bodies) result = std::min(result, of_body * box.diagonal().norm());
   return result;
 }

@@ -1,10 +1,11 @@
 #include "creepcontact/mesh/surface_shape.hpp"
 
-#include <Eigen/Dense>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <unsupported/Eigen/NumericalDiff>
 #include <utility>
@@ -151,27 +152,47 @@ std::optional<TrialShape> plane(const Piece& piece) {
   TrialShape one;
   one.shape.kind = ShapeKind::plane;
   for (const Vector3& x : piece.points) one.shape.center += x / static_cast<double>(piece.points.size());
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  Matrix3 moments = Matrix3::Zero();
   for (const Vector3& x : piece.points) moments += (x - one.shape.center) * (x - one.shape.center).transpose();
-  one.shape.axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments).eigenvectors().col(0);
+  one.shape.axis = tensor::Principal(moments).directions.col(0);
   return one;
 }
 
-std::optional<TrialShape> sphere(const Piece& piece) {
-  Eigen::MatrixXd rows(piece.points.size(), 4);
-  Eigen::VectorXd squares(piece.points.size());
-  for (std::size_t i = 0; i < piece.points.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    rows.row(row) << 2 * piece.points[i].transpose(), 1;
-    squares[row] = piece.points[i].squaredNorm();
+/// A circle or a sphere.
+template <int Dimension>
+struct Round {
+  Eigen::Matrix<double, Dimension, 1> center;
+  double radius = 0;
+};
+
+/// The one through points: |x|^2 = 2 x c + d, about their mean. @returns nullopt if they lie in a line or a plane
+template <int Dimension>
+std::optional<Round<Dimension>> fit_round(const std::vector<Eigen::Matrix<double, Dimension, 1>>& points) {
+  using Point = Eigen::Matrix<double, Dimension, 1>;
+  const auto n = static_cast<double>(points.size());
+  Point mean = Point::Zero();
+  for (const Point& x : points) mean += x / n;
+  Eigen::Matrix<double, Dimension, Dimension> moments = Eigen::Matrix<double, Dimension, Dimension>::Zero();
+  Point right = Point::Zero();
+  double mean_square = 0;
+  for (const Point& x : points) {
+    const Point arm = x - mean;
+    moments += arm * arm.transpose();
+    right += arm.squaredNorm() * arm / 2;
+    mean_square += arm.squaredNorm() / n;
   }
-  const Eigen::VectorXd found = rows.colPivHouseholderQr().solve(squares);
-  const double square = found[3] + found.head<3>().squaredNorm();
-  if (!(square > 0) || !found.allFinite()) return std::nullopt;
+  const Point center = moments.inverse() * right;
+  if (!center.allFinite()) return std::nullopt;
+  return Round<Dimension>{mean + center, std::sqrt(mean_square + center.squaredNorm())};
+}
+
+std::optional<TrialShape> sphere(const Piece& piece) {
+  const std::optional<Round<3>> found = fit_round<3>(piece.points);
+  if (!found) return std::nullopt;
   TrialShape one;
   one.shape.kind = ShapeKind::sphere;
-  one.shape.center = found.head<3>();
-  one.shape.radius = std::sqrt(square);
+  one.shape.center = found->center;
+  one.shape.radius = found->radius;
   return one;
 }
 
@@ -185,12 +206,12 @@ std::optional<TrialShape> cone(const Piece& piece, bool is_cylinder) {
   }
   mean /= area;
   if (is_cylinder) mean.setZero();
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  Matrix3 moments = Matrix3::Zero();
   for (std::size_t i = 0; i < piece.normals.size(); ++i)
     moments += piece.areas[i] * (piece.normals[i] - mean) * (piece.normals[i] - mean).transpose();
   TrialShape one;
   one.shape.kind = is_cylinder ? ShapeKind::cylinder : ShapeKind::cone;
-  one.shape.axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments).eigenvectors().col(0);
+  one.shape.axis = tensor::Principal(moments).directions.col(0);
   // The axis meets the normals: in the plane across it, p + s n = c.
   const Vector3 u = any_normal(one.shape.axis), v = one.shape.axis.cross(u);
   Eigen::Matrix2d across = Eigen::Matrix2d::Zero();
@@ -216,37 +237,33 @@ std::optional<TrialShape> cone(const Piece& piece, bool is_cylinder) {
   return fitted(piece, one);
 }
 
-/// The line that all normals meet (as lines of a complex, of Pluecker's coordinates), about which a torus is revolved.
+/// About the line that all normals meet. In Pluecker's coordinates (direction a, moment m) it meets the normal n
+/// through p if (p x n) a + n m = 0; the m of the least squares is eliminated.
 std::optional<TrialShape> torus(const Piece& piece) {
-  Eigen::Matrix<double, 6, 6> moments = Eigen::Matrix<double, 6, 6>::Zero();
+  Matrix3 aa = Matrix3::Zero(), am = Matrix3::Zero(), mm = Matrix3::Zero();
   for (std::size_t i = 0; i < piece.normals.size(); ++i) {
-    Eigen::Matrix<double, 6, 1> row;
-    row << piece.centers[i].cross(piece.normals[i]), piece.normals[i];
-    moments += piece.areas[i] * row * row.transpose();
+    const Vector3 &n = piece.normals[i], turned = piece.centers[i].cross(n);
+    aa += piece.areas[i] * turned * turned.transpose();
+    am += piece.areas[i] * turned * n.transpose();
+    mm += piece.areas[i] * n * n.transpose();
   }
-  const Eigen::Matrix<double, 6, 1> line =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(moments).eigenvectors().col(0);
-  const Vector3 direction = line.head<3>(), moment = line.tail<3>();
-  if (!(direction.norm() > 1e-6)) return std::nullopt;
+  const Matrix3 moment_of = -mm.inverse() * am.transpose();
+  const Matrix3 left = aa + am * moment_of;
+  if (!left.allFinite()) return std::nullopt;
   TrialShape one;
   one.shape.kind = ShapeKind::torus;
-  one.shape.axis = direction.normalized();
-  one.shape.center = direction.cross(moment) / direction.squaredNorm();
-  // In the half plane (rho, z) it is a circle: rho^2 + z^2 = 2 (rho R + z h) + d.
-  Eigen::MatrixXd rows(piece.points.size(), 3);
-  Eigen::VectorXd squares(piece.points.size());
-  for (std::size_t i = 0; i < piece.points.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    const double z = one.shape.axis.dot(piece.points[i] - one.shape.center), r = radial(one.shape, piece.points[i]);
-    rows.row(row) << 2 * r, 2 * z, 1;
-    squares[row] = r * r + z * z;
-  }
-  const Eigen::Vector3d found = rows.colPivHouseholderQr().solve(squares);
-  const double square = found[2] + found[0] * found[0] + found[1] * found[1];
-  if (!(square > 0) || !found.allFinite()) return std::nullopt;
-  one.shape.radius = found[0];
-  one.shape.minor_radius = std::sqrt(square);
-  one.shape.center += found[1] * one.shape.axis;
+  one.shape.axis = tensor::Principal(left).directions.col(0);
+  one.shape.center = one.shape.axis.cross(moment_of * one.shape.axis);
+  // In the half plane (rho, z) it is a circle.
+  std::vector<Eigen::Vector2d> points;
+  points.reserve(piece.points.size());
+  for (const Vector3& x : piece.points)
+    points.emplace_back(radial(one.shape, x), one.shape.axis.dot(x - one.shape.center));
+  const std::optional<Round<2>> circle = fit_round<2>(points);
+  if (!circle) return std::nullopt;
+  one.shape.radius = circle->center[0];
+  one.shape.minor_radius = circle->radius;
+  one.shape.center += circle->center[1] * one.shape.axis;
   return fitted(piece, one);
 }
 
@@ -296,12 +313,6 @@ SurfaceShape finished(const Piece& piece, const TrialShape& one) {
 }
 
 }  // namespace
-
-std::optional<ShapeKind> shape_kind(std::string_view word) {
-  for (const auto& [kind, name] : kinds)
-    if (word == name) return kind;
-  return std::nullopt;
-}
 
 std::string_view name_of(ShapeKind kind) {
   return kinds[static_cast<std::size_t>(kind)].second;

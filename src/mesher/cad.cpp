@@ -146,22 +146,17 @@ int size_field(const io::CadRequest::Size& given, double size) {
     field::setString(constant, "F", fmt::format("{:.17g}", given.size));
     const int inside = field::add("Restrict");
     field::setNumber(inside, "InField", constant);
-    Entities solids;
-    for (const int solid : given.solids) solids.emplace_back(3, solid);
     field::setNumbers(inside, "VolumesList", as_numbers(given.solids));
     // What bounds the solids is meshed by itself, and first.
-    for (const auto& [dimension, list] : {std::pair{2, "SurfacesList"}, {1, "CurvesList"}, {0, "PointsList"}}) {
-      Entities lower;
-      gmsh::model::getBoundary(solids, lower, false, false, dimension == 0);
-      for (int d = 2; d > dimension && dimension > 0; --d) {
-        Entities next;
-        gmsh::model::getBoundary(lower, next, false, false, false);
-        lower = next;
-      }
-      std::vector<int> tags;
-      for (const auto& [of, tag] : lower)
-        if (of == dimension) tags.push_back(tag);
-      field::setNumbers(inside, list, as_numbers(tags));
+    Entities bounded;
+    for (const int solid : given.solids) bounded.emplace_back(3, solid);
+    for (const char* const list : {"SurfacesList", "CurvesList", "PointsList"}) {
+      Entities bounds;
+      gmsh::model::getBoundary(bounded, bounds, false, false, false);
+      std::set<int> tags;
+      for (const auto& [dimension, tag] : bounds) tags.insert(tag);
+      field::setNumbers(inside, list, {tags.begin(), tags.end()});
+      bounded = std::move(bounds);
     }
     return inside;
   }

@@ -1,10 +1,10 @@
 #include "mean_motion.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <map>
 #include <utility>
 
+#include "creepcontact/linalg/dense.hpp"
 #include "creepcontact/mechanics/loads.hpp"
 
 namespace creepcontact::model {
@@ -74,13 +74,13 @@ MeanMotion::MeanMotion(const std::vector<WeightedNodes>& parts, const std::vecto
       const Eigen::Matrix<double, 3, 6> motion = motion_of(part.body, part.nodes[i]);
       normal += part.weights[i] * motion.transpose() * motion;
     }
-  const Eigen::SelfAdjointEigenSolver<Matrix6> solver(normal);
-  const double least = unknown_motion * solver.eigenvalues().cwiseAbs().maxCoeff();
+  const linalg::SymmetricEigen eigen = linalg::symmetric_eigen(normal);
+  const double least = unknown_motion * eigen.values.cwiseAbs().maxCoeff();
   Matrix6 inverse = Matrix6::Zero(), projection = Matrix6::Zero();
   for (int k = 0; k < 6; ++k) {
-    if (!(solver.eigenvalues()[k] > least)) continue;
-    const Eigen::Matrix<double, 6, 1> v = solver.eigenvectors().col(k);
-    inverse += v * v.transpose() / solver.eigenvalues()[k];
+    if (!(eigen.values[k] > least)) continue;
+    const Eigen::Matrix<double, 6, 1> v = eigen.vectors.col(k);
+    inverse += v * v.transpose() / eigen.values[k];
     projection += v * v.transpose();
   }
   constexpr double whole = 1 - 1e-6;

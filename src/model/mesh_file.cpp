@@ -60,18 +60,15 @@ mesh::Mesh read_mesh(const config::Config& config) {
     throw ModelError(fmt::format("{}'{}' is not a regular file; name {}", position, mesh.file.string(),
                                  settings::mesh_files_in_words));
   if (settings::is_cad_file(mesh.file.extension().string())) return read_cad_mesh(config);
-  if (mesh.file.extension() == ".inp") {
-    mesh::Mesh of_deck =
-        io::import_msh(deck::mesh_of_deck(mesh.file), mesh.file.string(), {config.analysis, mesh.thickness});
-    add_surfaces(config, of_deck);
-    return of_deck;
-  }
-  mesh::Mesh result = io::read_mesh(mesh.file, {.order = mesh.order,
-                                                .parameters = mesh.parameters,
-                                                .time_limit = mesh.time_limit,
-                                                .memory_limit_mb = mesh.memory_limit_mb,
-                                                .trusted = mesh.trust_geometry,
-                                                .section = {config.analysis, mesh.thickness}});
+  const mesh::Section section{config.analysis, mesh.thickness};
+  mesh::Mesh result = mesh.file.extension() == ".inp"
+                          ? io::import_msh(deck::mesh_of_deck(mesh.file), mesh.file.string(), section)
+                          : io::read_mesh(mesh.file, {.order = mesh.order,
+                                                      .parameters = mesh.parameters,
+                                                      .time_limit = mesh.time_limit,
+                                                      .memory_limit_mb = mesh.memory_limit_mb,
+                                                      .trusted = mesh.trust_geometry,
+                                                      .section = section});
   add_surfaces(config, result);
   return result;
 }

@@ -73,9 +73,7 @@ ModelFaces model_faces(const config::Config& config, double distance) {
   for (const auto& [name, numbers] : named_faces(config, result.patches, result.nodes))
     for (std::size_t p = 0; p < result.patches.size(); ++p)
       if (std::ranges::find(numbers, result.patches[p].number) != numbers.end()) result.names[p].push_back(name);
-  Eigen::AlignedBox3d box;
-  for (const mesh::SurfacePatch& patch : result.patches) box.extend(patch.box);
-  result.size = box.diagonal().norm();
+  result.size = mesh::size_of(result.patches);
   result.distance = distance > 0 ? distance : mesh::near_distance(result.patches);
   result.pairs = mesh::facing_patches(result.patches, result.nodes, result.distance);
   return result;

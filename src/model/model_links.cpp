@@ -255,6 +255,11 @@ MeanMotion motion_of(const BodyMeshes& meshes, const config::Rigid& coupling) {
   return {parts, meshes, coupling.origin ? vector(*coupling.origin) : Vector3(mean / sum)};
 }
 
+MeanMotion motion_of(const BodyMeshes& meshes, const ModelLinks& links, const ModelLinks::RigidPart& part) {
+  const mechanics::NodeLinks::Rigid& link = links.of_body[part.body].rigid[part.link];
+  return {{equally_weighted(part.body, link.nodes)}, meshes, link.origin};
+}
+
 /// Where the nodes do not tell a component that something is said of.
 void require_known(const MeanMotion& motion, const config::Rigid& given, const BodyMeshes& meshes) {
   for (int k = 0; k < 6; ++k) {
@@ -276,10 +281,7 @@ void add_motion_loads(const config::Config& config, const BodyMeshes& meshes, co
     const config::Rigid& rigid = config.rigid[i];
     if (links.rigid.size() <= i || links.rigid[i].empty()) continue;
     errors.collect(rigid.location, [&] {  // of all that move together the first part takes them
-      const ModelLinks::RigidPart& part = links.rigid[i].front();
-      const mechanics::NodeLinks::Rigid& link = links.of_body[part.body].rigid[part.link];
-      MeanMotion({equally_weighted(part.body, link.nodes)}, meshes, link.origin)
-          .add_loads(rigid.force, rigid.moment, bodies);
+      motion_of(meshes, links, links.rigid[i].front()).add_loads(rigid.force, rigid.moment, bodies);
     });
   }
   for (const config::Rigid& coupling : config.coupling)
@@ -296,13 +298,9 @@ std::vector<MotionEquation> motion_equations(const config::Config& config, const
   for (std::size_t i = 0; i < config.rigid.size() && i < links.rigid.size(); ++i) {
     const config::Rigid& rigid = config.rigid[i];
     const std::vector<ModelLinks::RigidPart>& parts = links.rigid[i];
-    const auto motion = [&](const ModelLinks::RigidPart& part) {
-      const mechanics::NodeLinks::Rigid& link = links.of_body[part.body].rigid[part.link];
-      return MeanMotion({equally_weighted(part.body, link.nodes)}, meshes, link.origin);
-    };
     for (std::size_t p = 1; p < parts.size(); ++p)
       errors.collect(rigid.location, [&] {
-        const MeanMotion first = motion(parts[0]), other = motion(parts[p]);
+        const MeanMotion first = motion_of(meshes, links, parts[0]), other = motion_of(meshes, links, parts[p]);
         for (int k = 0; k < 6; ++k) {
           if (prescribed(rigid, k) || !(first.knows(k) || other.knows(k))) continue;
           if (!first.knows(k) || !other.knows(k))

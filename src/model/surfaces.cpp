@@ -23,15 +23,8 @@ namespace {
 
 constexpr double same_radius = 1e-3;   // relative
 constexpr double in_plane = 1e-5;      // of the size of the model: how far faces lie beyond a plane or a box
-constexpr double sharp_edge = 0.7;     // 40 degrees, between faces of a mesh
 constexpr double nearest_face = 0.02;  // of the size of the model: between a face after the cut and the same one before
 constexpr std::size_t most_told = 8;
-
-double size_of(const std::vector<mesh::SurfacePatch>& patches) {
-  Eigen::AlignedBox3d box;
-  for (const mesh::SurfacePatch& patch : patches) box.extend(patch.box);
-  return box.diagonal().norm();
-}
 
 /// Which faces a condition leaves, and how to say it.
 struct Condition {
@@ -43,7 +36,7 @@ class SurfaceSearch {
  public:
   SurfaceSearch(const config::Config& config, const std::vector<mesh::SurfacePatch>& patches,
                 const std::vector<Vector3>& nodes)
-      : config_(config), patches_(patches), nodes_(nodes), tolerance_(in_plane * size_of(patches)) {
+      : config_(config), patches_(patches), nodes_(nodes), tolerance_(in_plane * mesh::size_of(patches)) {
     for (const mesh::SurfacePatch& patch : patches) all_.insert(patch.number);
   }
 
@@ -179,7 +172,7 @@ const CadUnit& cad_unit(const config::Config& config) {
 class FaceOrigins {
  public:
   FaceOrigins(const io::CadSurfaces& before, const io::CadSurfaces& after, const std::vector<config::MeshCut>& cuts) {
-    const double size = size_of(before.patches);
+    const double size = mesh::size_of(before.patches);
     for (const mesh::SurfacePatch& patch : after.patches) {
       const std::optional<std::size_t> cut = cut_of(patch, after.nodes, cuts, in_plane * size);
       if (cut) of_cut_[*cut].push_back(patch.number);
@@ -273,7 +266,7 @@ std::vector<mesh::SurfacePatch> patches_of_regions(const mesh::Mesh& mesh) {
     if (group.dimension != mesh.section.dimension()) continue;
     mesh::BodyMesh body = mesh::extract(mesh, {name});
     for (mesh::SurfacePatch& patch :
-         mesh::smooth_patches(body.mesh, name, static_cast<int>(patches.size()) + 1, sharp_edge)) {
+         mesh::smooth_patches(body.mesh, name, static_cast<int>(patches.size()) + 1, mesh::sharp_edge)) {
       for (mesh::Face& face : patch.faces)
         for (std::int64_t& node : face.nodes) node = body.parent_node[static_cast<std::size_t>(node)];
       patches.push_back(std::move(patch));

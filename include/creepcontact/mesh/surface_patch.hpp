@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,9 +33,15 @@ std::vector<Facet> facets_of(std::span<const Face> faces, std::span<const Vector
 /// @param faces  one at least
 SurfacePatch surface_patch(int number, std::string body, std::vector<Face> faces, std::span<const Vector3> nodes);
 
+/// The usual angle of smooth_patches() [rad]: 40 degrees, more than facets of curved surfaces have between them.
+inline constexpr double sharp_edge = 40 * std::numbers::pi / 180;
+
 /// The pieces of the surface of a body between edges at which the normal turns by more than `angle` [rad], numbered
 /// from `first` on, in the order of their first faces. Cost: a sort of all faces, and a fit for each piece
 std::vector<SurfacePatch> smooth_patches(const Mesh& body, const std::string& name, int first, double angle);
+
+/// Diagonal of the box around all of them.
+double size_of(std::span<const SurfacePatch> patches);
 
 /// The distance within which surfaces are taken to be next to each other if nothing is said: half a per cent of the
 /// diagonal of the model, at most a twentieth of that of the smallest body.

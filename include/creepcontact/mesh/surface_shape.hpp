@@ -2,7 +2,6 @@
 /// Which simple surface a piece of a mesh represents: a plane, a cylinder, a cone, a sphere or a torus.
 
 #include <array>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -12,8 +11,7 @@ namespace creepcontact::mesh {
 
 enum class ShapeKind { plane, cylinder, cone, sphere, torus, other };
 
-/// "plane", "cylinder", ... @returns nullopt for another word
-std::optional<ShapeKind> shape_kind(std::string_view word);
+/// "plane", "cylinder", ...
 std::string_view name_of(ShapeKind kind);
 
 struct SurfaceShape {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
@@ -42,9 +43,10 @@ void require_mark(const std::filesystem::path& file) {
   constexpr std::size_t beginning = 4096;
   const char* const mark = mark_of(file);
   if (mark == nullptr) return;
-  const FileBytes read = read_file(file);
-  const std::string_view bytes = read.bytes;
-  if (read.failure.empty() && bytes.substr(0, beginning).find(mark) == std::string_view::npos)
+  std::string head(beginning, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(head.data(), static_cast<std::streamsize>(beginning));
+  if (head.find(mark) == std::string::npos)
     throw ModelError(
         fmt::format("{}: the content is not what the name says: it does not begin with {}", file.string(), mark));
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "creepcontact/io/msh/mesher_protocol.hpp"
@@ -37,6 +38,15 @@ std::string without_numbers(const std::string& text) {
   return result;
 }
 
+/// Gmsh's frame around the warnings that it has told before, and their numbers.
+bool is_summary(const std::string& warning) {
+  const std::size_t begin = warning.find_first_not_of(' ');
+  const std::string text = begin == std::string::npos ? "" : without_numbers(warning.substr(begin));
+  constexpr std::array counts{"0 warning", "0 warnings", "0 error", "0 errors"};
+  return text.starts_with("---") || text.starts_with("Mesh generation error summary") ||
+         text.starts_with("Check the full log") || std::ranges::find(counts, text) != counts.end();
+}
+
 std::string indented(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += "\n  " + line;
@@ -58,17 +68,6 @@ void MesherLog::end() {
   if (!unfinished_.empty()) take(unfinished_);
   unfinished_.clear();
 }
-
-namespace {
-
-/// Gmsh's frame around the warnings that it has told before.
-bool is_summary(const std::string& warning) {
-  return warning.starts_with("---") || warning.starts_with("Mesh generation error summary") ||
-         warning.starts_with("Check the full log") || warning.ends_with(" warning") || warning.ends_with(" warnings") ||
-         warning.ends_with(" error") || warning.ends_with(" errors");
-}
-
-}  // namespace
 
 void MesherLog::take(const std::string& line) {
   if (line.starts_with(mesher::mark)) {

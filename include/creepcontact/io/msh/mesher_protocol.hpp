@@ -3,7 +3,6 @@
 /// mesher writes the mesh as .msh 4.1 to a given descriptor and the messages of Gmsh to standard output and error; its
 /// exit status tells how it ended.
 
-#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
