@@ -67,7 +67,7 @@ int import(const Command& self, const Arguments& arguments) {
                     "with --output",
                     directory.string(), reason));
   std::vector<std::pair<std::string, std::string>> files{{name + ".msh", std::move(made.msh)}};
-  if (!made.temperatures.empty()) files.emplace_back(name + "_temperature.csv", std::move(made.temperatures));
+  std::ranges::move(made.tables, std::back_inserter(files));
   files.emplace_back(name + ".toml", config::to_toml(made.config, run::vocabulary(), made.comments));
   made.config = {};  // large decks: its memory, before the check
   for (const auto& [file, content] : files)

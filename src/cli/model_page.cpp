@@ -63,6 +63,7 @@ class Geometry {
   void add_body(std::size_t body, const std::string& region, const std::vector<run::FaceWords>& words,
                 const std::map<std::size_t, double>& distances) {
     report::ModelPage::Body made{region, page_.triangles.size() / 3, 0, page_.edges.size() / 2, 0};
+    if (page_.flat) add_area(faces_.areas[body]);
     for (std::size_t p = 0; p < faces_.patches.size(); ++p) {
       const mesh::SurfacePatch& patch = faces_.patches[p];
       if (patch.body != region) continue;
@@ -75,8 +76,11 @@ class Geometry {
                                    page_.triangles.size() / 3,
                                    0};
       const auto found = distances.find(p);
-      add_patch(patch,
-                found == distances.end() ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(found->second));
+      const float distance = found == distances.end() ? no_distance : static_cast<float>(found->second);
+      if (page_.flat)
+        add_band(patch, distance);
+      else
+        add_patch(patch, distance);
       face.n_triangles = page_.triangles.size() / 3 - face.first_triangle;
       page_.faces.push_back(std::move(face));
     }
@@ -86,16 +90,41 @@ class Geometry {
   }
 
  private:
+  static constexpr float no_distance = std::numeric_limits<float>::quiet_NaN();
+  static constexpr double band = 0.008, lift = 1e-4;  // of the size of the model
+
+  std::uint32_t add_point(const Vector3& x, float distance) {
+    for (Eigen::Index k = 0; k < 3; ++k) page_.positions.push_back(static_cast<float>(x[k]));
+    page_.distances.push_back(distance);
+    return static_cast<std::uint32_t>(page_.positions.size() / 3 - 1);
+  }
+
+  /// The cells of a section, whose faces are lines.
+  void add_area(const std::vector<mesh::Face>& cells) {
+    mesh::SurfacePatch area;
+    area.faces = cells;
+    add_patch(area, no_distance);
+  }
+
+  /// A line of a section as a band along it, on its inner side and before the area.
+  void add_band(const mesh::SurfacePatch& patch, float distance) {
+    for (const mesh::Face& edge : patch.faces) {
+      const Vector3 lifted = lift * faces_.size * Vector3::UnitZ();
+      const Vector3 a = faces_.nodes[static_cast<std::size_t>(edge.nodes[0])] + lifted;
+      const Vector3 b = faces_.nodes[static_cast<std::size_t>(edge.nodes[1])] + lifted;
+      const Vector3 inward = band * faces_.size * Vector3(a.y() - b.y(), b.x() - a.x(), 0).normalized();
+      const std::array corners{add_point(a, distance), add_point(b, distance), add_point(b + inward, distance),
+                               add_point(a + inward, distance)};
+      for (const std::size_t k : {0, 1, 2, 0, 2, 3}) page_.triangles.push_back(corners[k]);
+    }
+  }
+
   void add_patch(const mesh::SurfacePatch& patch, float distance) {
     std::map<std::int64_t, std::uint32_t> points;
     const auto number = [&](std::int64_t node) {
-      const auto [found, is_new] = points.emplace(node, static_cast<std::uint32_t>(page_.positions.size() / 3));
-      if (is_new) {
-        for (Eigen::Index k = 0; k < 3; ++k)
-          page_.positions.push_back(static_cast<float>(faces_.nodes[static_cast<std::size_t>(node)][k]));
-        page_.distances.push_back(distance);
-      }
-      return found->second;
+      const auto found = points.find(node);
+      if (found != points.end()) return found->second;
+      return points.emplace(node, add_point(faces_.nodes[static_cast<std::size_t>(node)], distance)).first->second;
     };
     for (const mesh::Face& face : patch.faces) {
       const auto n = static_cast<std::size_t>(mesh::n_corners(face.type));
@@ -116,11 +145,9 @@ class Geometry {
 }  // namespace
 
 void write_model_page(const config::Config& config, const std::filesystem::path& file) {
-  if (config.analysis != settings::Analysis::solid)
-    throw ConfigError(
-        "--page shows solids; `check --fields` draws a section, and its faces are in `creepcontact faces`");
   const model::ModelFaces faces = model::model_faces(config, 0);
   report::ModelPage page;
+  page.flat = config.analysis != settings::Analysis::solid;
   page.title = config.title.empty() ? config.mesh.file.filename().string() : config.title;
   page.length_unit = faces.unit.empty() ? unit_of(Dimension::length, config.units) : faces.unit;
   std::map<std::size_t, double> distances;

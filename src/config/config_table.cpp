@@ -58,6 +58,8 @@ Value<Config> config_table(const Vocabulary& vocabulary) {
           .otherwise("each material is at its `reference_temperature`"),
       field<Config>("heat", &Config::heat, heat_table(), "the temperature of all bodies is computed")
           .otherwise("it is not"),
+      field<Config>("initial_stress", &Config::initial_stress, named(initial_stress_table()),
+                    "stress that a body has before it is loaded, by the name of the body"),
       field<Config>("gaskets", &Config::gaskets, named(gasket_table(vocabulary)),
                     "gaskets between surfaces, by the pressure over their closure"),
       field<Config>("contacts", &Config::contacts, tables(contact_table()), "pairs of surfaces in contact"),

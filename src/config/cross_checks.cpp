@@ -139,6 +139,31 @@ void check_reference_temperature(const Config& config, const Item& root, Diagnos
   }
 }
 
+/// Only a known temperature gives the elastic strain of an initial stress.
+void check_initial_stress(const Config& config, const Item& root, Diagnostics& errors) {
+  for (const InitialStress& stress : config.initial_stress) {
+    const auto body = std::ranges::find(config.bodies, stress.name, &Body::name);
+    if (body == config.bodies.end()) {
+      check_name({stress.name, stress.location}, "body", names_of(config.bodies), errors);
+      continue;
+    }
+    const auto material = std::ranges::find(config.materials, body->material.name, &Material::name);
+    if (material == config.materials.end() || material->reference_temperature ||
+        root.child("materials").child(material->name).has("reference_temperature"))
+      continue;
+    std::vector<Function> constants{material->young_modulus, material->poisson_ratio};
+    if (const auto& given = material->orthotropic)
+      for (const auto& three : {given->young_moduli, given->poisson_ratios, given->shear_moduli})
+        constants.insert(constants.end(), three.begin(), three.end());
+    if (std::ranges::any_of(constants, &Function::depends_on_temperature))
+      errors.add(stress.location,
+                 fmt::format("the elastic constants of '{}' depend on T, and it is not known at which temperature the "
+                             "body has this stress",
+                             material->name),
+                 fmt::format("with materials.{}.reference_temperature", material->name));
+  }
+}
+
 /// What [heat] needs of materials and contacts.
 void check_heat(const Config& config, const Item& root, Diagnostics& errors) {
   if (!config.heat) return;
@@ -313,6 +338,7 @@ void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
   check_temperature(config, root, errors);
   check_reference_temperature(config, root, errors);
   check_material_axes(config, root, errors);
+  check_initial_stress(config, root, errors);
   check_heat(config, root, errors);
   check_coupled_heat(config, root, errors);
 }

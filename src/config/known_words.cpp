@@ -29,6 +29,8 @@ constexpr std::array words{
     KnownWord{"", "equation constraints constraint mpc mpcs linear_constraints",
               "a linear equation between displacements is an entry of 'equations'"},
     KnownWord{"", "rigid_bodies rigid_body rigid_surfaces", "a surface that moves as a rigid body is 'rigid'"},
+    KnownWord{"", "residual_stress residual_stresses prestress initial_conditions",
+              "stress before the loads act is [initial_stress.<body>]"},
     KnownWord{"", "event", "conditions on probes are 'events'"},
     KnownWord{"", "restart resume",
               "to continue from the last checkpoint, use the option --resume of creepcontact run"},

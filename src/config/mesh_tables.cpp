@@ -195,7 +195,7 @@ Value<Mesh> mesh_table() {
     const std::string extension = mesh.file.extension().string();
     if (!mesh.file.empty() && !settings::is_mesh_file(extension))
       context.errors.add(mesh.location, fmt::format("'{}'", mesh.file.filename().string()),
-                         fmt::format("{}{}", settings::mesh_files_in_words, settings::mesh_file_remedy(extension)));
+                         std::string(settings::mesh_files_in_words));
     if (!settings::is_mesh_file(extension)) return mesh;
     const bool is_cad = settings::is_cad_file(extension);
     if (extension != ".geo" && !is_cad)

@@ -54,10 +54,23 @@ class SectionChecks {
       for (const std::string& key : given_keys(root.child("temperature"), {"axis", "origin"}))
         errors_.add(root.child("temperature").child(key).location,
                     fmt::format("has no meaning with analysis = \"{}\"", name_), "with solids alone");
+    check_initial_stress(config, root);
     const Item axial = root.child("generalized_plane_strain");
     if (axial.node && analysis_ != Analysis::generalized_plane_strain)
       errors_.add(axial.location, fmt::format("has no meaning with analysis = \"{}\"", name_),
                   "with analysis = \"generalized_plane_strain\"");
+  }
+
+  void check_initial_stress(const Config& config, const Item& root) {
+    if (is_solid()) return;
+    for (const InitialStress& stress : config.initial_stress) {
+      const Item table = root.child("initial_stress").child(stress.name);
+      for (const std::string& key : given_keys(table, {"yz", "zx", "radial", "tangential", "axial", "axis"}))
+        errors_.add(table.child(key).location, fmt::format("has no meaning with analysis = \"{}\"", name_),
+                    "xx, yy, zz, xy");
+      if (analysis_ == Analysis::plane_stress && !stress.along_coordinates[2].is_zero())
+        errors_.add(table.child("zz").location, "stress across the plane in plane stress", "0");
+    }
   }
 
   void check_support(const Item& item, const Support& support) {

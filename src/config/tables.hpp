@@ -28,6 +28,7 @@ Value<Support> support_table();
 Value<Load> load_table();
 Value<Temperature> temperature_table();
 Value<Heat> heat_table();
+Value<InitialStress> initial_stress_table();
 /// A function of place, time and temperature, "perfect" or "insulated".
 Value<Conductance> conductance_value();
 Value<GeneralizedPlaneStrain> generalized_plane_strain_table();

@@ -21,7 +21,7 @@ constexpr double usual_thermal_stress = 0.1;  // of what the range of temperatur
 constexpr double max_creep = 1e12;  // of the elastic strain, over the run: no machine part lives through so much
 
 constexpr const char* not_loaded =
-    "the bodies are not loaded: no load, support, temperature or gap causes stress at any output time";
+    "the bodies are not loaded: no load, support, temperature, initial stress or gap causes stress at any output time";
 
 /// Start, end, and both sides of each breakpoint between them.
 std::vector<double> telling_times(double end, const std::vector<double>& breakpoints) {

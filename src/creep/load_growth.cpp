@@ -76,9 +76,13 @@ std::vector<BodyConditions> between(const std::vector<BodyConditions>& from, con
   return result;
 }
 
-std::vector<BodyConditions> without_loads(std::vector<BodyConditions> at) {
-  for (BodyConditions& body : at)
-    for (const auto values : growing) (body.*values).clear();
+/// What is there before the loads: the initial stress alone.
+std::vector<BodyConditions> without_loads(const Assembly& assembly, std::vector<BodyConditions> at) {
+  for (std::size_t b = 0; b < at.size(); ++b) {
+    for (const auto values : growing) (at[b].*values).clear();
+    const std::span<const double> initial = assembly.bodies()[b].initial_strain();
+    at[b].thermal_tensors.assign(initial.begin(), initial.end());
+  }
   return at;
 }
 
@@ -108,8 +112,8 @@ History EquilibriumSolver::initial_history(int substeps) {
   history = new_history();
   history.plastic = virgin_plastic_history(assembly_);
   at.time = 1;
-  grow(without_loads(at.conditions), 0, interface_.rows().unloaded_gap(), at, preloads_due(0, history), substeps,
-       no_creep, history);
+  grow(without_loads(assembly_, at.conditions), 0, interface_.rows().unloaded_gap(), at, preloads_due(0, history),
+       substeps, no_creep, history);
   begin_path(history);
   history.preloaded_until = 0;
   return history;

@@ -84,7 +84,7 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     keep(Where::model, 6, {"CYCLIC SYMMETRY MODEL"});
     keep(Where::model, 0,
          {"INITIAL CONDITIONS", "SURFACE INTERACTION", "SURFACE BEHAVIOR", "CLEARANCE", "RIGID BODY", "CONTACT",
-          "SPRING", "GAP CONDUCTANCE", "COUPLING"});
+          "SPRING", "MASS", "GAP CONDUCTANCE", "COUPLING"});
     keep(Where::model, 2, {"KINEMATIC", "DISTRIBUTING"});
     add(Kind::impossible, "contact that changes from step to step is not known", {"CHANGE SURFACE BEHAVIOR"});
     const std::string general =
@@ -146,7 +146,8 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     add(Kind::left_out, "the first surface of a pair is the slave", {"CONTACT FORMULATION"});
     add(Kind::impossible, "this kind of coupling is not known; *COUPLING with *KINEMATIC or *DISTRIBUTING is",
         {"KINEMATIC COUPLING", "DISTRIBUTING COUPLING", "EMBEDDED ELEMENT", "SHELL TO SOLID COUPLING"});
-    add(Kind::impossible, "a body with stresses or strains at the start is not known",
+    add(Kind::impossible,
+        "this card of stresses or strains at the start is not known; *INITIAL CONDITIONS, TYPE=STRESS is",
         {"INITIAL STRESS", "INITIAL STRAIN INCREASE"});
     add(Kind::impossible, "materials that change from step to step are not known",
         {"CHANGE SOLID SECTION", "CHANGE MATERIAL", "CHANGE PLASTIC"});
@@ -164,8 +165,8 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     add(Kind::impossible, "shells and membranes are not known",
         {"SHELL SECTION", "MEMBRANE SECTION", "MEMBRANE", "SHELL GENERAL SECTION", "NODAL THICKNESS"});
     add(Kind::impossible, "beams and trusses are not known", {"BEAM SECTION", "BEAM GENERAL SECTION", "TRUSS SECTION"});
-    add(Kind::impossible, "dashpots, masses and gap elements are not known",
-        {"DASHPOT", "DASHPOTA", "MASS", "GAP", "ROTARY INERTIA", "CONNECTOR SECTION"});
+    add(Kind::impossible, "dashpots, rotary inertia and gap elements are not known",
+        {"DASHPOT", "DASHPOTA", "GAP", "ROTARY INERTIA", "CONNECTOR SECTION"});
     add(Kind::impossible, "this kind of plasticity is not known",
         {"DEFORMATION PLASTICITY", "DRUCKER PRAGER", "MOHR COULOMB", "CONCRETE"});
     add(Kind::impossible, "large elastic strains are not known", {"HYPERELASTIC", "HYPERFOAM", "HYPO ELASTIC"});

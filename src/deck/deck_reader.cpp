@@ -176,6 +176,7 @@ Deck DeckReader::finish() {
   finish_card();
   add_late_members();
   set_skins_apart();
+  drop_missing_members(deck_);
   if (!without_influence_.empty())
     deck_.left_out.push_back({first_without_influence_, fmt::format("{}", fmt::join(without_influence_, ", *")),
                               "without influence on the results"});

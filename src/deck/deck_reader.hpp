@@ -103,6 +103,7 @@ class DeckReader {
   void add_members(Set& set, const DataLine& line, bool generate, const std::string& scope,
                    std::map<std::string, Set> Deck::*sets, std::int64_t offset);
   void add_node(const DataLine& line, Set* set);
+  void add_mass(const DataLine& line);
   void add_spring(const std::string& type, const DataLine& line);
   void add_to_element(const DataLine& line);
   /// How many nodes the element that is read has.
@@ -113,6 +114,9 @@ class DeckReader {
   void finish_card();
   /// Takes elements of lower dimension that have no section out of the blocks.
   void set_skins_apart();
+  /// Takes numbers that no node or element has out of the sets, with a note for each of them: in an instance they would
+  /// become those of another one.
+  void drop_missing_members(Deck& of);
   /// Makes a new set of the nodes of the elements in another one.
   void nodes_of_elements(const Card& card);
   /// Adds members to the sets of `into_` that were named before they were defined.

@@ -50,7 +50,7 @@ struct Draft {
   std::set<double> changes;  ///< times at which contacts come or go
   config::Config config;
   config::Comments comments;
-  std::string temperatures;
+  std::vector<std::pair<std::string, std::string>> tables;  ///< names and content of files next to the configuration
 
   /// Says what a key is made of. @param key  full
   void comment(const std::string& key, const std::string& text) { comments.beside[key] = text; }
@@ -90,6 +90,7 @@ void make_contacts(Draft& draft);
 void make_links(Draft& draft);
 void make_springs(Draft& draft);
 void make_temperature(Draft& draft);
+void make_initial_stress(Draft& draft);
 void make_time(Draft& draft);
 void make_probes(Draft& draft);
 /// Probes of reference nodes, which no element has; a line for those of which nothing is known.

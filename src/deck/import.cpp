@@ -121,11 +121,12 @@ Import make(Draft& draft) {
     make_heat(draft);
   else
     make_temperature(draft);
+  make_initial_stress(draft);
   make_time(draft);
   make_probes(draft);
   raise(draft);
   sort(draft.left_out);
-  Import result{std::move(draft.config), std::move(draft.comments), "", std::move(draft.temperatures), {}, {}};
+  Import result{std::move(draft.config), std::move(draft.comments), "", std::move(draft.tables), {}, {}};
   std::string& heading = result.comments.above[""];
   heading = fmt::format("Made of {} by creepcontact import. The units are those of the deck.",
                         toml_string(draft.name + ".inp"));

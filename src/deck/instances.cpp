@@ -67,6 +67,7 @@ void DeckReader::end_instance(const Card& card) {
 }
 
 void DeckReader::merge_instance() {
+  drop_missing_members(instance_deck_);
   const std::string written = instance_name_ + ".", prefix = upper_case(written);
   Numbers all_elements;
   for (const ElementBlock& block : deck_.elements)

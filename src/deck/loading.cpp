@@ -32,6 +32,7 @@ struct Entry {
 enum class Condition {
   support,
   force,
+  mass_force,  // of gravity or rotation on a mass at a node: added to the force there
   body_load,
   pressure,
   temperature,
@@ -55,8 +56,9 @@ bool is_held(Condition kind) {
 }
 /// Loads that one step gives twice at one place add up; others are replaced, as are those of earlier steps.
 bool adds_up(Condition kind) {
-  static const std::set<Condition> all{Condition::force, Condition::pressure, Condition::body_load,
-                                       Condition::flux,  Condition::source,   Condition::point_flow};
+  static const std::set<Condition> all{Condition::force,     Condition::mass_force, Condition::pressure,
+                                       Condition::body_load, Condition::flux,       Condition::source,
+                                       Condition::point_flow};
   return all.contains(kind);
 }
 
@@ -84,6 +86,7 @@ class Joiner {
   }
 
   Loading join() {
+    read_masses();
     for (const RawCard& raw : deck_.cards) {
       if (raw.card.name == "BOUNDARY") boundary(raw);
       if (raw.card.name == "INITIAL CONDITIONS") initial(raw);
@@ -130,6 +133,7 @@ class Joiner {
       loading_.step_ends.push_back(time);
       if (step.takes_time()) crept_until_ = time;
     }
+    tell_idle_masses();
     loading_.end = time;
     if (deck_.conducts()) loading_.heat.time_of_states = static_time_;
     for (auto& [key, entry] : entries_) store(key, entry);
@@ -487,20 +491,24 @@ class Joiner {
     if (replaces(raw)) {
       drop(Condition::pressure);
       drop(Condition::body_load);
+      drop(Condition::mass_force);
     }
     const Amplitude* factors = amplitude(raw);
     for (std::size_t line = 0; line < raw.data.size(); ++line) {
       Numbers elements = field(raw, line, 0).empty() ? all_elements() : resolver_.elements(field(raw, line, 0));
+      const std::string label = upper_case(field(raw, line, 1));
+      const bool acts_on_masses = label == "CENTRIF" || label == "GRAV";
+      const bool has_masses = acts_on_masses && load_masses(raw, line, label == "GRAV", factors);
+      if (elements.empty() && has_masses) continue;
       if (elements.empty()) {
         impossible(raw, line, fmt::format("there is no element or set '{}'", field(raw, line, 0)));
         continue;
       }
-      const std::string label = upper_case(field(raw, line, 1));
       const auto face = label.size() == 2 && label[0] == 'P' ? whole_number(label.substr(1)) : std::nullopt;
       if (face && *face >= 1 && *face <= 6) {
         for (const std::int64_t element : elements)
           give(raw, line, {Condition::pressure, element, static_cast<int>(*face)}, value(raw, line, 2), factors);
-      } else if (label == "CENTRIF" || label == "GRAV") {
+      } else if (acts_on_masses) {
         BodyLoad load{label == "GRAV" ? BodyLoad::Kind::gravity : BodyLoad::Kind::centrifugal, {}};
         for (std::size_t i = 3; i < (label == "GRAV" ? 6U : 9U); ++i) load.geometry.push_back(value(raw, line, i));
         auto found = std::ranges::find_if(
@@ -511,6 +519,61 @@ class Joiner {
         impossible(raw, line, fmt::format("loads of type {} are not known", label));
       }
     }
+  }
+
+  /// Forces on the masses of a set, or on all. @returns whether there are some
+  bool load_masses(const RawCard& raw, std::size_t line, bool is_gravity, const Amplitude* factors) {
+    const std::string target = field(raw, line, 0);
+    const auto set = deck_.element_sets.find(upper_case(target));
+    std::set<std::int64_t> wanted;
+    if (set != deck_.element_sets.end()) wanted.insert(set->second.members.begin(), set->second.members.end());
+    if (const auto own = whole_number(target)) wanted.insert(*own);
+    bool has_some = false;
+    for (const MassElement& mass : deck_.masses) {
+      if (!target.empty() && !wanted.contains(mass.number)) continue;
+      const auto found = mass_of_.find(mass.number);
+      const std::uint32_t* const at = deck_.node_of_number.find_or_null(mass.node);
+      if (found == mass_of_.end() || at == nullptr) continue;  // reported
+      has_some = masses_act_ = true;
+      const Vector3 first(value(raw, line, 3), value(raw, line, 4), value(raw, line, 5));
+      Vector3 acceleration = first;
+      if (!is_gravity) {
+        const Vector3 axis(value(raw, line, 6), value(raw, line, 7), value(raw, line, 8));
+        const Vector3 arm = deck_.positions[*at] - first;
+        acceleration =
+            axis.isZero(0) ? Vector3(Vector3::Zero()) : Vector3(arm - axis * (axis.dot(arm) / axis.squaredNorm()));
+      }
+      for (int k = 0; k < 3; ++k)
+        if (acceleration[k] != 0)
+          give(raw, line, {Condition::mass_force, mass.node, k + 1},
+               value(raw, line, 2) * found->second * acceleration[k], factors);
+    }
+    return has_some;
+  }
+
+  void read_masses() {
+    for (const RawCard& raw : deck_.cards) {
+      if (raw.card.name != "MASS") continue;
+      const auto set = deck_.element_sets.find(upper_case(raw.card.value("ELSET")));
+      if (set == deck_.element_sets.end()) {
+        impossible(raw, raw.places.size(), fmt::format("there is no set of elements '{}'", raw.card.value("ELSET")));
+        continue;
+      }
+      const double mass = raw.data.empty() ? 0 : value(raw, 0, 0);
+      for (const std::int64_t member : set->second.members) mass_of_[member] = mass;
+    }
+    for (const MassElement& mass : deck_.masses) {
+      const auto refuse = [&](const std::string& why) { impossible_.push_back({mass.place, "ELEMENT", why}); };
+      if (!mass_of_.contains(mass.number)) refuse(fmt::format("no *MASS gives the mass of element {}", mass.number));
+      if (!deck_.node_of_number.contains(mass.node))
+        refuse(fmt::format("element {}: there is no node {}", mass.number, mass.node));
+    }
+  }
+
+  void tell_idle_masses() {
+    if (!deck_.masses.empty() && !masses_act_)
+      left_out_.push_back({deck_.masses.front().place, "MASS",
+                           "masses do not act in static and creep steps without gravity (GRAV) or rotation (CENTRIF)"});
   }
 
   Numbers all_elements() const {
@@ -539,7 +602,9 @@ class Joiner {
   }
 
   void initial(const RawCard& raw) {
-    if (const std::string type = letters_of(raw.card.value("TYPE")); type != "TEMPERATURE") {
+    const std::string type = letters_of(raw.card.value("TYPE"));
+    if (type == "STRESS") return;  // of bodies, which are made later
+    if (type != "TEMPERATURE") {
       static const std::set<std::string> of_motions{"VELOCITY",      "ROTATINGVELOCITY", "ACCELERATION",
                                                     "DISPLACEMENT",  "FLUIDVELOCITY",    "PRESSURE",
                                                     "TOTALPRESSURE", "MASSFLOW"};
@@ -549,8 +614,8 @@ class Joiner {
           .push_back({raw.card.place, raw.card.name,
                       acts_in_statics
                           ? fmt::format("TYPE={}: {}", raw.card.value("TYPE"),
-                                        is_strained ? "a body with stresses or strains at the start is not known"
-                                                    : "only temperatures at the start are known")
+                                        is_strained ? "strains at the start are not known; stresses (TYPE=STRESS) are"
+                                                    : "only temperatures and stresses at the start are known")
                           : fmt::format("TYPE={} does not act in static and creep steps", raw.card.value("TYPE"))});
       return;
     }
@@ -698,6 +763,12 @@ class Joiner {
       case Condition::force:
         if (!entry.course.is_zero()) loading_.forces[key.of][key.part] = entry.course;
         break;
+      case Condition::mass_force:  // after the forces
+        if (!entry.course.is_zero()) {
+          const auto [found, is_new] = loading_.forces[key.of].try_emplace(key.part, entry.course);
+          if (!is_new) found->second = found->second.plus(entry.course);
+        }
+        break;
       case Condition::temperature:
         loading_.temperatures[key.of] = entry.course;
         if (!loading_.initial_temperatures.empty()) {
@@ -742,6 +813,8 @@ class Joiner {
   std::map<Key, Entry> entries_;
   Loading loading_;
   bool time_runs_ = false, warned_of_geometry_ = false, noted_static_time_ = false;
+  std::map<std::int64_t, double> mass_of_;  // by the number of its element
+  bool masses_act_ = false;
   bool has_conducted_ = false, warms_up_ = false;  // in the steps so far
   double static_time_ = 0;                         // that a *STATIC step takes next to *VISCO steps
   double crept_until_ = 0;                         // end of the last step that takes time

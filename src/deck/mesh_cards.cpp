@@ -69,6 +69,10 @@ void DeckReader::element(const Card& card) {
     on_data_ = [this, spring](const DataLine& line) { add_spring(spring, line); };
     return;
   }
+  if (into_ == &deck_ && upper_case(name) == "MASS") {
+    on_data_ = [this](const DataLine& line) { add_mass(line); };
+    return;
+  }
   gasket_ = gasket_shape(name);
   reads_skin_ = false;
   if (gasket_) {
@@ -110,6 +114,14 @@ void DeckReader::add_spring(const std::string& type, const DataLine& line) {
   }
   if (element_set_ != nullptr) element_set_->members.push_back(made.number);
   deck_.springs.push_back(std::move(made));
+}
+
+void DeckReader::add_mass(const DataLine& line) {
+  const auto own = label(line, line.field(0), "the number of an element");
+  const auto node = label(line, line.field(1), "the number of a node");
+  if (!own || !node) return;
+  if (element_set_ != nullptr) element_set_->members.push_back(*own);
+  deck_.masses.push_back({*own, *node + deck_.assembly_offset, line.place});
 }
 
 std::size_t DeckReader::n_element_nodes() const {
@@ -190,6 +202,7 @@ void DeckReader::read_set(const Card& card, const std::string& key, std::map<std
   const std::string name = required(card, key);
   if (name.empty()) return;
   Set& set = named(into_->*sets, name);
+  if (set.place.line == 0) set.place = card.place;
   const bool generate = card.has("GENERATE");
   std::string scope;
   std::int64_t offset = into_ == &deck_ && sets == &Deck::node_sets ? deck_.assembly_offset : 0;
@@ -271,6 +284,40 @@ void DeckReader::add_late_members() {
         if (known.insert(member).second) set.members.push_back(member);
     }
   }
+}
+
+void DeckReader::drop_missing_members(Deck& of) {
+  std::unordered_set<std::int64_t> others;  // elements that are not those of bodies
+  for (const SkinElements& skin : of.skins) others.insert(skin.numbers.begin(), skin.numbers.end());
+  for (const GasketElement& gasket : of.gaskets) others.insert(gasket.number);
+  for (const SpringElement& spring : of.springs) others.insert(spring.number);
+  for (const MassElement& mass : of.masses) others.insert(mass.number);
+  // Of elements that are not known the numbers are not known either.
+  const bool knows_elements =
+      std::ranges::none_of(deck_.impossible, [](const Note& note) { return note.card == "ELEMENT"; });
+  const auto drop = [&](Set& set, const char* card, const char* what, const auto& exists) {
+    Numbers missing;
+    std::erase_if(set.members, [&](std::int64_t member) {
+      if (exists(member)) return false;
+      missing.push_back(member);
+      return true;
+    });
+    if (missing.empty()) return;
+    constexpr std::size_t most = 3;
+    const std::span<const std::int64_t> first = std::span(missing).first(std::min(most, missing.size()));
+    deck_.left_out.push_back(
+        {set.place, card,
+         fmt::format("'{}' names {} {} that {} not exist: {}{}; {} passed over", set.name, missing.size(),
+                     missing.size() == 1 ? what : fmt::format("{}s", what), missing.size() == 1 ? "does" : "do",
+                     fmt::join(first, ", "), missing.size() > most ? ", ..." : "",
+                     missing.size() == 1 ? "it is" : "they are")});
+  };
+  for (auto& [name, set] : of.node_sets)
+    drop(set, "NSET", "node", [&](std::int64_t node) { return of.node_of_number.contains(node); });
+  if (!knows_elements) return;
+  for (auto& [name, set] : of.element_sets)
+    drop(set, "ELSET", "element",
+         [&](std::int64_t element) { return of.element_of_number.contains(element) || others.contains(element); });
 }
 
 void DeckReader::set_skins_apart() {

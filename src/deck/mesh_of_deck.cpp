@@ -85,6 +85,9 @@ io::MshContent mesh_of_deck(const std::filesystem::path& path) {
   if (n_other > 0)
     log::warning("{}: {} kinds of elements are left out: only solid elements and sections of solids are known",
                  path.string(), n_other);
+  for (const Note& note : deck.left_out)
+    if (note.card == "ELSET" || note.card == "NSET")
+      log::warning("{}: *{}: {}", note.place.text(), note.card, note.consequence);
   return output.take();
 }
 

@@ -50,13 +50,14 @@ void make_temperature(Draft& draft) {
     break;
   }
   temperature.files = {draft.name + "_temperature.csv"};
-  draft.temperatures = "t,x,y,z,T\n";
+  std::string table = "t,x,y,z,T\n";
   for (const double time : times)
     for (const std::int64_t node : draft.used) {
       const Vector3& x = draft.position(node);
-      draft.temperatures += fmt::format("{:.15g},{:.15g},{:.15g},{:.15g},{:.15g}\n", time, x[0], x[1], x[2],
-                                        temperature_of(node).at(time));
+      table += fmt::format("{:.15g},{:.15g},{:.15g},{:.15g},{:.15g}\n", time, x[0], x[1], x[2],
+                           temperature_of(node).at(time));
     }
+  draft.tables.emplace_back(temperature.files.front().string(), std::move(table));
 }
 
 namespace {

@@ -16,9 +16,10 @@ std::vector<double>& zero_forces(std::size_t n) {
 }  // namespace
 
 Body::Body(std::string name, mesh::Mesh mesh, material::Material material, std::vector<Support> supports,
-           std::optional<TemperatureField> temperature, const NodeLinks& links, std::optional<MaterialAxes> axes)
+           std::optional<TemperatureField> temperature, const NodeLinks& links, std::optional<MaterialAxes> axes,
+           StressField initial_stress)
     : impl_(std::make_unique<Impl>(std::move(name), std::move(mesh), std::move(material), std::move(supports),
-                                   std::move(temperature), links, std::move(axes))) {
+                                   std::move(temperature), links, std::move(axes), std::move(initial_stress))) {
   at(0.0);  // throws where something is not admissible
 }
 Body::~Body() = default;
@@ -97,6 +98,9 @@ const material::Material& Body::material() const {
 }
 std::span<const Matrix3> Body::material_axes() const {
   return impl_->axes;
+}
+std::span<const double> Body::initial_strain() const {
+  return impl_->initial_strain;
 }
 const Discretization& Body::discretization() const {
   return impl_->discretization;

@@ -50,13 +50,14 @@ std::vector<Matrix6> matrices_at(const material::Material& material, std::span<c
   return result;
 }
 
-/// The thermal strain of these temperatures.
-void expand(const material::Material& material, std::span<const Matrix3> axes, BodyConditions& at) {
+/// The thermal strain of these temperatures, and the initial strain.
+void expand(const material::Material& material, std::span<const Matrix3> axes, std::span<const double> initial_strain,
+            BodyConditions& at) {
   const std::size_t n_points = at.temperature.size();
   const auto strains = [&](std::size_t p) {
     return material.thermal_expansion.strains(at.temperature[p], material.reference_temperature);
   };
-  if (!material.thermal_expansion.has_axes) {
+  if (!material.thermal_expansion.has_axes && initial_strain.empty()) {
     at.thermal_strain.resize(n_points);
     for (std::size_t p = 0; p < n_points; ++p) at.thermal_strain[p] = strains(p)[0];
     return;
@@ -64,7 +65,9 @@ void expand(const material::Material& material, std::span<const Matrix3> axes, B
   at.thermal_tensors.resize(6 * n_points);
   for (std::size_t p = 0; p < n_points; ++p) {
     const Matrix3& own = axes[axes.size() == 1 ? 0 : p];
-    tensor::writable(at.thermal_tensors, p) = tensor::from_matrix(own * strains(p).asDiagonal() * own.transpose());
+    auto strain = tensor::writable(at.thermal_tensors, p);
+    strain = tensor::from_matrix(own * strains(p).asDiagonal() * own.transpose());
+    if (!initial_strain.empty()) strain += tensor::view(initial_strain, p);
   }
 }
 
@@ -74,14 +77,28 @@ bool moduli_depend_on_temperature(const material::Material& material) {
 
 void require_finite(const std::string& body, std::span<const double> values, double t) {
   if (Eigen::Map<const Eigen::VectorXd>(values.data(), values.size()).allFinite()) return;
-  throw ModelError(
-      fmt::format("body '{}': its loads, supports, temperature or thermal expansion are not finite at t = {:.6g}; "
-                  "check their expressions "
-                  "for divisions by zero and for roots or logarithms of negative numbers",
-                  body, t));
+  throw ModelError(fmt::format(
+      "body '{}': its loads, supports, temperature, thermal expansion or initial stress are not finite at t = {:.6g}; "
+      "check their expressions "
+      "for divisions by zero and for roots or logarithms of negative numbers",
+      body, t));
 }
 
 }  // namespace
+
+void Body::Impl::set_initial_strain() {
+  if (!initial_stress) return;
+  const std::size_t n_points = discretization.n_points();
+  const std::vector<Moduli> moduli{moduli_at(material, material.reference_temperature)};
+  const std::vector<double> reference(n_points, material.reference_temperature);
+  std::vector<Matrix6> matrices;
+  if (material.orthotropy) matrices = matrices_at(material, axes, reference, n_points);
+  const ElasticState elastic{.moduli = moduli, .matrices = matrices};
+  initial_strain.resize(6 * n_points);
+  for (std::size_t p = 0; p < n_points; ++p)
+    tensor::writable(initial_strain, p) =
+        -elastic.elastic_strain(p, initial_stress(discretization.point_coordinates()[p]));
+}
 
 BodyConditions Body::at(double t) const {
   BodyConditions conditions;
@@ -117,8 +134,10 @@ void Body::update(double t, BodyConditions& at, std::span<const double> temperat
       impl_->temperature_at_points->evaluate(t, at.temperature, at.memo);
     else
       std::ranges::copy(temperature, at.temperature.begin());
-    if (!material.thermal_expansion.is_zero()) expand(material, impl_->axes, at);
+    if (!material.thermal_expansion.is_zero()) expand(material, impl_->axes, impl_->initial_strain, at);
   }
+  if (first && at.thermal_tensors.empty())
+    at.thermal_tensors.assign(impl_->initial_strain.begin(), impl_->initial_strain.end());
   if (first || (new_temperature && moduli_depend_on_temperature(material))) {
     at.moduli.clear();
     if (!impl_->temperature || !moduli_depend_on_temperature(material))

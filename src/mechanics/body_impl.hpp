@@ -8,7 +8,8 @@ namespace creepcontact::mechanics {
 
 struct Body::Impl {
   Impl(std::string name_in, mesh::Mesh mesh_in, material::Material material_in, std::vector<Support> supports_in,
-       std::optional<TemperatureField> temperature_in, const NodeLinks& links, std::optional<MaterialAxes> axes_in)
+       std::optional<TemperatureField> temperature_in, const NodeLinks& links, std::optional<MaterialAxes> axes_in,
+       StressField initial_stress_in)
       : name(std::move(name_in)),
         mesh(std::move(mesh_in)),
         material(std::move(material_in)),
@@ -19,7 +20,8 @@ struct Body::Impl {
         free_motions(mechanics::free_motions(mesh, parts, constraints)),
         fixing_dofs(determinate_fixing_dofs(free_motions, constraints)),
         temperature(std::move(temperature_in)),
-        axes_of_place(std::move(axes_in)) {
+        axes_of_place(std::move(axes_in)),
+        initial_stress(std::move(initial_stress_in)) {
     prepare_points();
   }
 
@@ -36,6 +38,7 @@ struct Body::Impl {
         fixing_dofs(whole.fixing_dofs),
         temperature(whole.temperature),
         axes_of_place(whole.axes_of_place),
+        initial_stress(whole.initial_stress),
         own_elements(std::vector<std::size_t>(elements.begin(), elements.end())) {
     prepare_points();
   }
@@ -45,7 +48,10 @@ struct Body::Impl {
     if (temperature) temperature_at_points = temperature->at_points(discretization, mesh);
     if (axes_of_place && material.has_axes())
       axes = axes_of_place->at_points(discretization.point_coordinates(), mesh.section);
+    set_initial_strain();
   }
+  /// From the initial stress, with the elastic constants at the reference temperature.
+  void set_initial_strain();
 
   std::string name;
   mesh::Mesh mesh;
@@ -60,6 +66,8 @@ struct Body::Impl {
   std::unique_ptr<const TemperatureAtPositions> temperature_at_points;
   std::optional<MaterialAxes> axes_of_place;
   std::vector<Matrix3> axes{Matrix3::Identity()};  // of the material, one for all points or one per point
+  StressField initial_stress;
+  std::vector<double> initial_strain;  // Body::initial_strain()
   std::vector<std::unique_ptr<const Load>> loads;
   std::optional<std::vector<std::size_t>> own_elements;  // of a part
 };

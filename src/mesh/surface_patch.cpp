@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "creepcontact/base/disjoint_sets.hpp"
@@ -30,6 +31,26 @@ Vector3 doubled_area(const Face& face, std::span<const Vector3> nodes) {
   return sum;
 }
 
+std::vector<std::int64_t> sorted_corners(std::span<const std::int64_t> nodes, CellType type) {
+  const auto first = nodes.begin();
+  std::vector<std::int64_t> corners(first, first + n_corners(type));
+  std::ranges::sort(corners);
+  return corners;
+}
+
+/// The groups of each face, by its sorted corners.
+std::map<std::vector<std::int64_t>, std::vector<std::string_view>> groups_of_faces(const Mesh& body) {
+  std::map<std::vector<std::int64_t>, std::vector<std::string_view>> result;
+  for (const auto& [name, group] : body.groups) {
+    if (group.dimension != body.section.dimension() - 1) continue;
+    for (const CellRef& ref : group.cells) {
+      const CellBlock& block = body.blocks[ref.block];
+      result[sorted_corners(block.cell(ref.cell), block.type)].push_back(name);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Facet> facets_of(std::span<const Face> faces, std::span<const Vector3> nodes) {
@@ -53,6 +74,9 @@ SurfacePatch surface_patch(int number, std::string body, std::vector<Face> faces
   SurfacePatch patch{.number = number, .body = std::move(body), .faces = std::move(faces)};
   const std::vector<Facet> facets = facets_of(patch.faces, nodes);
   patch.shape = fit_shape(facets);
+  const bool is_line = dimension(patch.faces.front().type) == 1;
+  // A line of a section is straight, an arc or neither.
+  if (is_line && patch.shape.kind != ShapeKind::plane && patch.shape.kind != ShapeKind::cylinder) patch.shape = {};
   Vector3 sum = Vector3::Zero();
   double largest = -1;
   for (const Facet& facet : facets) {
@@ -64,6 +88,7 @@ SurfacePatch surface_patch(int number, std::string body, std::vector<Face> faces
       patch.center = facet.center();
     }
   }
+  if (is_line) patch.center.z() = patch.shape.center.z() = 0;
   constexpr double cancelled = 1e-6;
   if (sum.norm() > cancelled * patch.area) patch.normal = sum.normalized();
   std::map<Border, int> count;
@@ -86,10 +111,20 @@ std::vector<SurfacePatch> smooth_patches(const Mesh& body, const std::string& na
   std::map<Border, std::vector<std::size_t>> at;
   for (std::size_t f = 0; f < faces.size(); ++f)
     for (const Border& border : borders(faces[f])) at[border].push_back(f);
+  const auto groups = groups_of_faces(body);
+  const std::vector<std::string_view> none;
+  std::vector<const std::vector<std::string_view>*> groups_of;
+  groups_of.reserve(faces.size());
+  for (const Face& face : faces) {
+    const auto found = groups.find(sorted_corners(face.nodes, face.type));
+    groups_of.push_back(found == groups.end() ? &none : &found->second);
+  }
   DisjointSets sets(faces.size());
   const double least_cosine = std::cos(angle);
   for (const auto& [border, both] : at)
-    if (both.size() == 2 && normals[both[0]].dot(normals[both[1]]) >= least_cosine) sets.join(both[0], both[1]);
+    if (both.size() == 2 && normals[both[0]].dot(normals[both[1]]) >= least_cosine &&
+        *groups_of[both[0]] == *groups_of[both[1]])
+      sets.join(both[0], both[1]);
   std::vector<std::vector<Face>> parts;
   std::map<std::size_t, std::size_t> part_of;
   for (std::size_t f = 0; f < faces.size(); ++f) {

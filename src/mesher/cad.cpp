@@ -38,15 +38,15 @@ Box box_of_all() {
   return box;
 }
 
-/// Gmsh's label is the path in the assembly: "Shapes/Assembly/Part". OpenCASCADE's own words for a part without a name
-/// are none.
+/// Gmsh's label is the path in the assembly: "Shapes/Assembly/Part". The words of OpenCASCADE and of IGES for a part
+/// without a name are none.
 std::string part_name(int tag) {
   std::string label;
   gmsh::model::getEntityName(3, tag, label);
   std::string name = label.substr(label.rfind('/') + 1);
   std::ranges::replace_if(
       name, [](unsigned char c) { return c == '"' || c < ' '; }, '_');  // no name of a group has these
-  return name.starts_with("Open CASCADE") ? "" : name;
+  return name.starts_with("Open CASCADE") || name == "SOLID" ? "" : name;
 }
 
 /// With names that no other solid has.
@@ -172,11 +172,19 @@ int size_field(const io::CadRequest::Size& given, double size) {
   return threshold;
 }
 
-void set_sizes(const io::CadRequest& request) {
+/// @param n_faces  of the model: surfaces that are only looked at get coarser where there are many of them
+void set_sizes(const io::CadRequest& request, std::size_t n_faces) {
+  constexpr std::size_t many_faces = 300;
+  constexpr int delaunay = 5;  // of Gmsh's algorithms: twice as fast as the usual one
   const double size = request.size > 0 ? request.size : default_size * box_of_all().diagonal();
+  const bool is_coarse = request.surfaces_only && n_faces > many_faces;
   gmsh::option::setNumber("Mesh.MeshSizeMax", size);
   gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-  gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", request.per_circle);
+  gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", is_coarse ? request.per_circle / 2 : request.per_circle);
+  if (request.surfaces_only) {
+    gmsh::option::setNumber("Mesh.Algorithm", delaunay);
+    gmsh::option::setNumber("Mesh.Smoothing", 0);
+  }
   if (request.sizes.empty()) return;
   double largest = size;
   std::vector<double> fields;
@@ -190,22 +198,45 @@ void set_sizes(const io::CadRequest& request) {
   gmsh::model::mesh::field::setAsBackgroundMesh(least);
 }
 
+bool is_iges(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  return extension.size() > 1 && (extension[1] == 'i' || extension[1] == 'I');
+}
+
+/// OpenCASCADE makes millimetres of any IGES file; Gmsh can tell it another unit only for STEP. Most IGES files have
+/// faces alone, of which a solid is made where they close.
+void import_iges(const std::filesystem::path& file, double metres) {
+  constexpr double read_in = 1e-3;      // metres
+  constexpr double sewn_within = 1e-2;  // mm: what files of other programs leave open between faces
+  gmsh::option::setNumber("Geometry.OCCScaling", read_in / metres);
+  Entities all;
+  gmsh::model::occ::importShapes(file.string(), all, true);
+  if (std::ranges::any_of(all, [](const auto& entity) { return entity.first == 3; })) return;
+  Entities sewn;
+  gmsh::model::occ::healShapes(sewn, all, sewn_within * read_in / metres, true, false, false, true, true);
+  gmsh::model::occ::remove(all, true);
+}
+
 }  // namespace
 
 io::CadFacts read_cad(const std::filesystem::path& file, const io::CadRequest& request) {
-  gmsh::option::setString("Geometry.OCCTargetUnit", request.unit);
   gmsh::option::setNumber("Geometry.OCCImportLabels", 1);
   Entities imported;
-  gmsh::model::occ::importShapes(file.string(), imported, false);
+  if (is_iges(file)) {
+    import_iges(file, request.metres);
+  } else {
+    gmsh::option::setString("Geometry.OCCTargetUnit", request.unit);
+    gmsh::model::occ::importShapes(file.string(), imported, false);
+  }
   gmsh::model::occ::synchronize();
   std::vector<NamedSolid> all = solids();
   if (all.empty()) {
     Entities faces;
     gmsh::model::getEntities(faces, 2);
     throw ModelError(
-        fmt::format("the file has no solid, only {} faces: open shells enclose no material; let the CAD "
-                    "program make a solid of them, and write that",
-                    faces.size()));
+        fmt::format("the file has no solid, only {} faces: open shells enclose no material; let the CAD program "
+                    "make a solid of them, and write that{}",
+                    faces.size(), is_iges(file) ? ", best as STEP, for several parts in IGES are faces alone" : ""));
   }
   io::CadFacts facts = facts_of(all);
   const int n_loose = remove_loose(facts);
@@ -218,7 +249,7 @@ io::CadFacts read_cad(const std::filesystem::path& file, const io::CadRequest& r
   if (!request.cuts.empty()) facts = facts_of(all);
   facts.n_loose = n_loose;
   if (!request.surfaces_only) name_groups(all, request);
-  set_sizes(request);
+  set_sizes(request, facts.faces.size());
   return facts;
 }
 

@@ -65,6 +65,8 @@ class Filter {
   void hide(std::initializer_list<int> calls) {
     for (int call : calls) seccomp_rule_add(context_, SCMP_ACT_ERRNO(ENOSYS), call, 0);
   }
+  /// Calls that fail as if they were not allowed.
+  void deny(int call) { seccomp_rule_add(context_, SCMP_ACT_ERRNO(EACCES), call, 0); }
   bool load() { return seccomp_load(context_) == 0; }
 
  private:
@@ -79,13 +81,17 @@ extern "C" void end_for_memory() {
 
 }  // namespace
 
-bool confine() {
+bool confine(Network network) {
   Filter filter;
   filter.hide({SCMP_SYS(clone3), SCMP_SYS(openat2), SCMP_SYS(io_uring_setup)});
   // threads, which are clones that share everything, are let be
   filter.trap(SCMP_SYS(clone), SCMP_CMP(0, SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0));
-  filter.trap({SCMP_SYS(fork), SCMP_SYS(vfork), SCMP_SYS(execve), SCMP_SYS(execveat), SCMP_SYS(socket),
-               SCMP_SYS(ptrace), SCMP_SYS(process_vm_writev)});
+  filter.trap({SCMP_SYS(fork), SCMP_SYS(vfork), SCMP_SYS(execve), SCMP_SYS(execveat), SCMP_SYS(ptrace),
+               SCMP_SYS(process_vm_writev)});
+  if (network == Network::ends)
+    filter.trap({SCMP_SYS(socket)});
+  else
+    filter.deny(SCMP_SYS(socket));
   for (const int flag : {O_WRONLY, O_RDWR, O_CREAT, O_TRUNC}) {
     filter.trap(SCMP_SYS(open),
                 SCMP_CMP(1, SCMP_CMP_MASKED_EQ, static_cast<scmp_datum_t>(flag), static_cast<scmp_datum_t>(flag)));

@@ -22,6 +22,7 @@
 #include "creepcontact/settings/mesh_formats.hpp"
 #include "death.hpp"
 #include "gmsh_content.hpp"
+#include "med.hpp"
 #include "unv_groups.hpp"
 
 namespace creepcontact::mesher {
@@ -94,11 +95,18 @@ int mesh(const MesherRequest& request) {
   start_gmsh();  // it looks for places to write to, and reads no file
   limit_memory(request.memory_limit_mb);
   // Before Gmsh interprets anything.
-  if (!request.trusted && !confine() && request.needs_confinement) return status::not_confined;
+  const Network network = request.cad ? Network::fails : Network::ends;
+  if (!request.trusted && !confine(network) && request.needs_confinement) return status::not_confined;
   set_variables(request.parameters);
 
   set_order(request.order);
   watch();
+  if (request.file.extension() == ".med") {
+    const io::MshContent content = read_med(request.file);
+    stop_reading();
+    send(io::write_msh(content));
+    return status::done;
+  }
   std::optional<io::CadFacts> cad;
   if (request.cad)
     cad = read_cad(request.file, *request.cad);
@@ -112,7 +120,8 @@ int mesh(const MesherRequest& request) {
   if (gmsh_has_failed()) return status::gmsh_failed;
   io::MshContent content = gmsh_content();
   if (request.file.extension() == ".unv") {
-    if (const std::vector<UnvGroup> groups = unv_groups(request.file); !groups.empty()) set_groups(groups, content);
+    if (const std::vector<NumberedGroup> groups = unv_groups(request.file); !groups.empty())
+      set_groups(groups, content);
   }
   if ((is_read || cad) && content.physicals.empty()) name_entities(content);
   if (cad) send(cad->text() + '\n');

@@ -15,6 +15,7 @@ config::Config without_mechanics(config::Config config) {
   config.coupling.clear();
   config.cyclic.clear();
   config.gaskets.clear();
+  config.initial_stress.clear();
   config.generalized_plane_strain = {};
   config.mesh.share_nodes = {};
   for (config::Material& material : config.materials) {

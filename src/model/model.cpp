@@ -13,6 +13,7 @@
 #include "creepcontact/model/temperature.hpp"
 #include "function_search.hpp"
 #include "heat_alone.hpp"
+#include "initial_stress.hpp"
 #include "model_links.hpp"
 #include "model_parts.hpp"
 #include "schwarz_options.hpp"
@@ -141,12 +142,19 @@ Model build_model(const config::Config& given) {
     if (std::ranges::any_of(config.bodies, [&](const auto& body) { return body.material.name == material.name; }))
       errors.collect(material.location, [&] { materials.emplace(material.name, make_material(material)); });
   errors.raise();
+  std::vector<mechanics::StressField> initial(meshes.size());
+  for (const config::InitialStress& stress : config.initial_stress)
+    errors.collect(stress.location, [&] {
+      const std::size_t b = body_index(config, stress.name);
+      initial[b] = initial_stress(stress, meshes[b]);
+    });
+  errors.raise();
   Bodies bodies;
   for (std::size_t b = 0; b < meshes.size(); ++b)
     errors.collect(config.bodies[b].location, [&] {
       bodies.emplace_back(config.bodies[b].name, meshes[b], materials.at(config.bodies[b].material.name), supports[b],
-                          temperature, links.of_body[b],
-                          is_heat_alone ? std::nullopt : material_axes(config.bodies[b]));
+                          temperature, links.of_body[b], is_heat_alone ? std::nullopt : material_axes(config.bodies[b]),
+                          initial[b]);
     });
   errors.raise();
   if (temperature) tell_interpolation(config, bodies, *temperature);

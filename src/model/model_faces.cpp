@@ -35,6 +35,17 @@ bool has_all(const std::set<std::vector<std::int64_t>>& group, const mesh::Surfa
   return std::ranges::all_of(patch.faces, [&](const mesh::Face& face) { return group.contains(corners_of(face)); });
 }
 
+std::vector<mesh::Face> faces_of(const mesh::Mesh& mesh, const mesh::Group& group) {
+  std::vector<mesh::Face> result;
+  result.reserve(group.cells.size());
+  for (const mesh::CellRef& ref : group.cells) {
+    const mesh::CellBlock& block = mesh.blocks[ref.block];
+    const auto cell = block.cell(ref.cell);
+    result.push_back({block.type, {cell.begin(), cell.end()}});
+  }
+  return result;
+}
+
 }  // namespace
 
 ModelFaces model_faces(const config::Config& config, double distance) {
@@ -55,16 +66,15 @@ ModelFaces model_faces(const config::Config& config, double distance) {
     mesh::Mesh mesh = read_mesh(without_names);
     result.patches = patches_of_regions(mesh);
     for (const auto& [name, group] : mesh.groups)
-      if (group.dimension == mesh.section.dimension()) result.regions.push_back(name);
+      if (group.dimension == mesh.section.dimension()) {
+        result.regions.push_back(name);
+        if (group.dimension == 2) result.areas.push_back(faces_of(mesh, group));
+      }
     result.names.resize(result.patches.size());
     for (const auto& [name, group] : mesh.groups) {
       if (group.dimension != mesh.section.dimension() - 1) continue;
       std::set<std::vector<std::int64_t>> cells;
-      for (const mesh::CellRef& ref : group.cells) {
-        const mesh::CellBlock& block = mesh.blocks[ref.block];
-        const auto cell = block.cell(ref.cell);
-        cells.insert(corners_of({block.type, {cell.begin(), cell.end()}}));
-      }
+      for (const mesh::Face& face : faces_of(mesh, group)) cells.insert(corners_of(face));
       for (std::size_t p = 0; p < result.patches.size(); ++p)
         if (has_all(cells, result.patches[p])) result.names[p].push_back(name);
     }

@@ -251,6 +251,7 @@ std::map<std::string, std::vector<int>> named_faces(const config::Config& config
 io::CadRequest cad_request(const config::Config& config) {
   io::CadRequest request;
   request.unit = cad_unit(config).name;
+  request.metres = cad_unit(config).metres;
   request.size = config.mesh.size.value_or(0);
   request.per_circle = config.mesh.elements_per_circle;
   return request;

@@ -94,8 +94,11 @@ std::vector<FaceWords> face_words(const ModelFaces& faces) {
   std::vector<FaceWords> result;
   for (std::size_t p = 0; p < faces.patches.size(); ++p) {
     const mesh::SurfacePatch& patch = faces.patches[p];
-    result.push_back({kind_of(patch.shape), fmt::format("{}; area {:.4g}", measures_of(patch, faces.size), patch.area),
-                      std::move(next_to[p])});
+    const bool is_line = mesh::dimension(patch.faces.front().type) == 1;
+    result.push_back(
+        {kind_of(patch.shape),
+         fmt::format("{}; {} {:.4g}", measures_of(patch, faces.size), is_line ? "length" : "area", patch.area),
+         std::move(next_to[p])});
   }
   return result;
 }

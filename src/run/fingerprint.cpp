@@ -94,6 +94,12 @@ std::string fingerprint(const config::Config& config, const model::Model& model)
       lines.add(value.key, value.text);
   if (config.temperature && !config.temperature->files.empty())
     lines.add("temperature.file", model.temperature->text());  // by its content
+  for (const mechanics::Body& body : model.bodies())
+    if (const std::span<const double> strain = body.initial_strain(); !strain.empty()) {
+      Checksum sum;  // what a file holds, or functions give
+      sum.add(strain.data(), strain.size());
+      lines.add(fmt::format("initial stress of body '{}'", body.name()), fmt::format("checksum {:016x}", sum.value()));
+    }
   return lines.text();
 }
 

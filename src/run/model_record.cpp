@@ -157,8 +157,18 @@ class Recorder {
       const LoadWords words = load_words(load, config_, model_);
       loads.rows.push_back({words.place, words.text});
     }
-    if (!supports.rows.empty()) section.tables.push_back(supports);
-    if (!loads.rows.empty()) section.tables.push_back(loads);
+    io::RecordedTable initial{"Stress before the loads", {"body", "component", label("stress", Dimension::stress)}, {}};
+    for (const config::InitialStress& stress : config_.initial_stress) {
+      if (stress.file) initial.rows.push_back({stress.name, "all", stress.file->filename().string()});
+      for (std::size_t i = 0; i < stress.along_coordinates.size(); ++i)
+        if (const Function& value = stress.along_coordinates[i]; !value.is_zero())
+          initial.rows.push_back({stress.name, std::array{"xx", "yy", "zz", "xy", "yz", "zx"}[i], value.text()});
+      for (std::size_t i = 0; i < stress.about_axis.size(); ++i)
+        if (const Function& value = stress.about_axis[i]; !value.is_zero())
+          initial.rows.push_back({stress.name, std::array{"radial", "tangential", "axial"}[i], value.text()});
+    }
+    for (io::RecordedTable* table : {&supports, &loads, &initial})
+      if (!table->rows.empty()) section.tables.push_back(std::move(*table));
     if (temperature_) {
       section.notes.push_back(
           temperature_->low == temperature_->high

@@ -214,6 +214,33 @@ on = "low"
         self.assertAlmostEqual(force, 12, delta=1e-9)
 
 
+class Iges(ProcessTest):
+    """A block of 30 x 20 x 10 with a bore: as a solid, and as faces alone, of which a solid is made."""
+
+    def test_faces_with_their_lengths(self):
+        for name in ("block.igs", "block_of_faces.iges"):
+            shutil.copy(CAD / name, self.directory)
+            for unit, scale in (("mm", 1), ("m", 1e-3)):
+                with self.subTest(name, unit=unit):
+                    done = self.call("faces", name, "--json", "--unit", unit)
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    told = json.loads(done.stdout)
+                    self.assertEqual([solid["name"] for solid in told["solids"]], ["solid_1"])
+                    self.assertEqual((len(told["faces"]), told["loose_faces"]), (7, 0))
+                    bore, = [face for face in told["faces"] if face["kind"] == "cylinder"]
+                    self.assertAlmostEqual(bore["radius"] / scale, 4, delta=1e-6)
+                    self.assertTrue(bore["hollow"])
+                    self.assertAlmostEqual(sum(face["area"] for face in told["faces"]) / scale**2,
+                                           2 * (600 + 300 + 200) - 2 * math.pi * 16 + 80 * math.pi, delta=1e-3)
+
+    def test_of_other_bytes(self):
+        for content in (b"", b"no model", (CAD / "block.igs").read_bytes()[:4000]):
+            (self.directory / "block.igs").write_bytes(content)
+            done = self.call("faces", "block.igs")
+            self.assertEqual(done.returncode, 3, done.stderr)
+            self.assertSays(done.stderr, "error: ", "block.igs")
+
+
 class ModelPage(ProcessTest):
     """Opened in headless Chromium: pick, name, export, read back."""
 
@@ -234,6 +261,14 @@ class ModelPage(ProcessTest):
         self.write("named.toml", MODEL % "" + names)
         check = self.call("check", "named.toml")
         self.assertEqual(check.returncode, 0, check.stderr)
+
+    def test_a_section(self):
+        """Its faces are lines, which have a band on the inner side."""
+        for name in ("shrink_fit_section.toml", "shrink_fit_section.geo"):
+            shutil.copy(HERE.parents[1] / "configs" / name, self.directory)
+        page = self.call("check", "shrink_fit_section.toml", "--page", "page.html")
+        self.assertEqual(page.returncode, 0, page.stderr)
+        self.check_in_browser()
 
     def test_a_model_alone(self):
         shutil.copy(CAD / "plate_and_pin.brep", self.directory)

@@ -396,10 +396,6 @@ class Import(ImportTest):
                 line = CUBE.count("\n") + 1
                 self.assertSays(done.stdout, f"{name}.inp:{line}: *STEP: ", "*NODE PRINT", "U", "RF")
 
-    def test_stress_at_the_start_is_refused(self):
-        done = self.import_deck("stressed", CUBE + "*INITIAL CONDITIONS, TYPE=STRESS\n1, 1, 10., 0, 0, 0, 0, 0\n*STEP\n*STATIC\n*END STEP\n", 2)
-        self.assertSays(done.stderr, "stressed.inp:", "*INITIAL CONDITIONS: TYPE=STRESS: ")
-
     def test_plasticity(self):
         tables = {"*PLASTIC\n100, 0\n150, 0.05\n": 100 + 1000 * 0.02,
                   "*PLASTIC, HARDENING=KINEMATIC\n100, 0\n150, 0.05\n": 100 + 1000 * 0.02,

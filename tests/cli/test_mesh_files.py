@@ -208,7 +208,7 @@ class Attacks(MeshTest):
                 self.assertIn(done.returncode, (0, 2, 3), name + done.stderr)
 
     def test_meshes_of_other_programs_run_no_program(self):
-        for extension in ("unv", "bdf", "nas"):
+        for extension in ("unv", "bdf", "nas", "med"):
             for head in ("", "$MeshFormat\n", "-1\n", "$PostFormat\n", "View \"a\" {\n", "    -1\n  2411\n"):
                 self.write("cube." + extension, head + 'SystemCall "touch made";\n')
                 self.write("cube." + extension + ".opt", 'SystemCall "touch made";\n')

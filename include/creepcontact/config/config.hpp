@@ -303,6 +303,17 @@ struct Temperature {
   Location location;
 };
 
+/// [initial_stress.<body>]: of the undeformed body at its reference temperature, before loads act.
+struct InitialStress {
+  std::string name;                                                         ///< of the body
+  std::array<Function, 6> along_coordinates{0.0, 0.0, 0.0, 0.0, 0.0, 0.0};  ///< xx, yy, zz, xy, yz, zx of x, y, z
+  std::array<Function, 3> about_axis{0.0, 0.0, 0.0};                        ///< instead: radial, tangential, axial
+  std::array<double, 3> axis{0, 0, 1};
+  std::array<double, 3> origin{};
+  std::optional<std::filesystem::path> file;  ///< instead: stresses at points
+  Location location;
+};
+
 /// What flows through a surface in [heat]; units are those of the material data.
 struct HeatFilm {
   Reference on, body;
@@ -569,6 +580,7 @@ struct Config {
   GeneralizedPlaneStrain generalized_plane_strain;
   std::optional<Temperature> temperature;
   std::optional<Heat> heat;
+  std::vector<InitialStress> initial_stress;
   std::vector<Gasket> gaskets;
   std::vector<Contact> contacts;
   std::vector<Spring> springs;

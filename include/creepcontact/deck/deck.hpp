@@ -44,6 +44,12 @@ struct SpringElement {
   Place place;
 };
 
+/// A mass at a node.
+struct MassElement {
+  std::int64_t number = 0, node = 0;
+  Place place;
+};
+
 /// An element of a gasket: the corners of its lower side (SNEG) and its upper one (SPOS).
 struct GasketElement {
   std::int64_t number = 0;
@@ -55,6 +61,7 @@ struct GasketElement {
 struct Set {
   std::string name;  ///< as written
   Numbers members;   ///< in the order of the deck; those listed one by one may repeat
+  Place place = {};  ///< of its first *NSET or *ELSET, if it has one
 };
 
 /// "set, S3" or "12, S3"; of a surface of nodes without a face.
@@ -184,6 +191,7 @@ struct Deck {
   std::vector<ElementBlock> elements;
   std::vector<SkinElements> skins;
   std::vector<SpringElement> springs;
+  std::vector<MassElement> masses;
   std::vector<GasketElement> gaskets;
   std::vector<GasketSection> gasket_sections;
   std::map<std::string, GasketBehavior> gasket_behaviors;

@@ -1,5 +1,6 @@
 #pragma once
 /// One elastic body with its supports and loads: K u = F(t) + integral B^T H (creep strain + thermal strain).
+/// An initial stress is a constant part of the thermal strain.
 
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "creepcontact/mechanics/free_motions.hpp"
 #include "creepcontact/mechanics/loads.hpp"
 #include "creepcontact/mechanics/material_axes.hpp"
+#include "creepcontact/mechanics/stress_field.hpp"
 #include "creepcontact/mechanics/temperature_field.hpp"
 
 namespace creepcontact::mechanics {
@@ -24,11 +26,12 @@ class Body {
  public:
   /// @param temperature  nullopt: no thermal strain, material at its reference temperature
   /// @param axes  of the material; nullopt: those of the coordinates
+  /// @param initial_stress  of the undeformed body at its reference temperature, before loads act; empty: none
   /// @throws ModelError if an element is inverted, supports contradict each other, the elastic constants at t = 0 are
   /// not admissible, or the mesh has no volume elements
   Body(std::string name, mesh::Mesh mesh, material::Material material, std::vector<Support> supports,
        std::optional<TemperatureField> temperature, const NodeLinks& links = {},
-       std::optional<MaterialAxes> axes = std::nullopt);
+       std::optional<MaterialAxes> axes = std::nullopt, StressField initial_stress = {});
   ~Body();
   Body(Body&&) noexcept;
   Body& operator=(Body&&) noexcept;
@@ -51,6 +54,9 @@ class Body {
   const material::Material& material() const;
   /// Material axes at the points, columns of orthonormal matrices: one for all points, or n_points.
   std::span<const Matrix3> material_axes() const;
+  /// The strain that the initial stress makes part of the thermal strain, n_points x 6: minus its elastic strain at the
+  /// reference temperature. Empty: none.
+  std::span<const double> initial_strain() const;
   const Discretization& discretization() const;
   const Constraints& constraints() const;
   const std::vector<Support>& supports() const;

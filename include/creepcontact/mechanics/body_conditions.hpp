@@ -15,7 +15,7 @@ struct BodyConditions {
   double time = 0;
   std::vector<double> temperature;      ///< n_points; empty if none is given
   std::vector<double> thermal_strain;   ///< n_points, equal normal strains; empty if there is none
-  std::vector<double> thermal_tensors;  ///< n_points x 6 of a material that expands along axes; else empty
+  std::vector<double> thermal_tensors;  ///< n_points x 6 if it expands along axes or has an initial stress; else empty
   std::vector<Moduli> moduli;           ///< one for all points, or n_points
   std::vector<Matrix6> matrices;        ///< n_points of anisotropic elasticity (ElasticState); else empty
   std::vector<double> external;         ///< external forces F(t), 3 (n_nodes + n_inner)

@@ -36,8 +36,9 @@ SurfacePatch surface_patch(int number, std::string body, std::vector<Face> faces
 /// The usual angle of smooth_patches() [rad]: 40 degrees, more than facets of curved surfaces have between them.
 inline constexpr double sharp_edge = 40 * std::numbers::pi / 180;
 
-/// The pieces of the surface of a body between edges at which the normal turns by more than `angle` [rad], numbered
-/// from `first` on, in the order of their first faces. Cost: a sort of all faces, and a fit for each piece
+/// The pieces of the surface of a body between edges at which the normal turns by more than `angle` [rad], or at which
+/// a group of the mesh ends, numbered from `first` on, in the order of their first faces. Cost: a sort of all faces,
+/// and a fit for each piece
 std::vector<SurfacePatch> smooth_patches(const Mesh& body, const std::string& name, int first, double angle);
 
 /// Diagonal of the box around all of them.

@@ -13,6 +13,7 @@ struct ModelFaces {
   std::vector<Vector3> nodes;
   std::vector<mesh::SurfacePatch> patches;      ///< ascending by number; their bodies are regions
   std::vector<std::string> regions;             ///< solids of CAD, groups of volumes (sections: surfaces) of a mesh
+  std::vector<std::vector<mesh::Face>> areas;   ///< by region: the cells of a section; else empty
   std::vector<std::vector<std::string>> names;  ///< by patch: groups of the mesh and [surfaces] that have all of it
   std::vector<mesh::FacingPatches> pairs;
   double distance = 0;       ///< within which pairs were sought

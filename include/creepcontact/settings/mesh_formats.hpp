@@ -7,8 +7,8 @@
 
 namespace creepcontact::settings {
 
-/// Meshes of other programs, which Gmsh reads: Salome and I-deas, Nastran.
-constexpr std::array<std::string_view, 3> converted_meshes{".unv", ".bdf", ".nas"};
+/// Meshes of other programs, which the mesher reads: Salome and I-deas, Nastran.
+constexpr std::array<std::string_view, 4> converted_meshes{".unv", ".bdf", ".nas", ".med"};
 
 constexpr bool is_converted_mesh(std::string_view extension) {
   return std::ranges::find(converted_meshes, extension) != converted_meshes.end();
@@ -26,12 +26,7 @@ constexpr bool is_mesh_file(std::string_view extension) {
   return extension == ".geo" || extension == ".msh" || extension == ".inp" || is_converted_mesh(extension) ||
          is_cad_file(extension);
 }
-constexpr std::string_view mesh_files_in_words = "a .geo, .step, .iges, .brep, .msh, .inp, .unv, .bdf or .nas file";
-
-/// What to do with a file that is none of these; empty if nothing is known.
-constexpr std::string_view mesh_file_remedy(std::string_view extension) {
-  if (extension == ".med") return "; let Salome write .unv, which keeps its groups";
-  return "";
-}
+constexpr std::string_view mesh_files_in_words =
+    "a .geo, .step, .iges, .brep, .msh, .med, .inp, .unv, .bdf or .nas file";
 
 }  // namespace creepcontact::settings

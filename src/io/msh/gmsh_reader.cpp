@@ -93,8 +93,8 @@ mesh::Mesh read_mesh(const std::filesystem::path& file, const GmshOptions& optio
     throw ModelError(
         fmt::format("{}: not a mesh of Gmsh; CAD models and decks have readers of their own", file.string()));
   if (!settings::is_mesh_file(extension))
-    throw ModelError(fmt::format("{}: unknown kind of mesh file; allowed: {}{}", file.string(),
-                                 settings::mesh_files_in_words, settings::mesh_file_remedy(extension)));
+    throw ModelError(
+        fmt::format("{}: unknown kind of mesh file; allowed: {}", file.string(), settings::mesh_files_in_words));
   if (const std::string reason = why_unreadable(file); !reason.empty())
     throw ModelError(fmt::format("{}: {}", file.string(), reason));
   check_options(file, options, is_geo);

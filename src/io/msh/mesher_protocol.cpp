@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CadCut, axis, at, keeps_larger)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CadRequest::Size, faces, solids, size)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CadRequest, unit, cuts, surfaces_only, size, per_circle, sizes, surfaces)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CadRequest, unit, metres, cuts, surfaces_only, size, per_circle, sizes, surfaces)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CadFacts::Solid, number, name, faces)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CadFacts::Face, number, area)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CadFacts, solids, faces, n_loose)

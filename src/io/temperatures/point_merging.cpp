@@ -9,7 +9,7 @@
 
 namespace creepcontact::io {
 
-PointTemperatures merged(PointTemperatures read, const std::string& file) {
+PointTemperatures merged(PointTemperatures read, const std::string& file, const std::string& of) {
   const std::vector<Vector3>& points = read.points;
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -42,10 +42,8 @@ PointTemperatures merged(PointTemperatures read, const std::string& file) {
   }
   if (n_different > 0)
     log::warning(
-        "temperature: '{}' has different temperatures at {} of {} places, where nodes coincide (by up to {:.4g}); "
-        "their "
-        "mean is used",
-        file, n_different, result.points.size(), largest_difference);
+        "{}: '{}' has different values at {} of {} places, where nodes coincide (by up to {:.4g}); their mean is used",
+        of, file, n_different, result.points.size(), largest_difference);
   return result;
 }
 

@@ -195,8 +195,8 @@ TEST(ConfigMistakes, Bodies) {
 
 TEST(ConfigMistakes, Mesh) {
   expect_mistake(minimal,
-                 {"--set mesh.file=block.med: mesh.file: ", "'block.med'", ".geo, .step", ".inp, .unv, .bdf", "Salome"},
-                 {"mesh.file=block.med"});
+                 {"--set mesh.file=block.stl: mesh.file: ", "'block.stl'", ".geo, .step", ".med, .inp, .unv, .bdf"},
+                 {"mesh.file=block.stl"});
   expect_mistake(minimal, {"--set mesh.order=2: mesh.order: ", ".geo"}, {"mesh.order=2"});
 }
 

@@ -53,6 +53,7 @@ TEST(KeySections, TablesAsInTheFile) {
                            "[generalized_plane_strain]",
                            "[temperature]",
                            "[heat]",
+                           "[initial_stress.<name>]",
                            "[gaskets.<name>]",
                            "[[contacts]]",
                            "[[springs]]",

@@ -129,6 +129,12 @@ TEST(SmoothPatches, OfABoxAreItsSides) {
     area += patches[i].area;
   }
   EXPECT_NEAR(area, 2 * (6 + 3 + 2), 1e-12);
+  // A group that has a part of a side is a piece of its own.
+  mesh.blocks.push_back({CellType::quad4, {0, 1, 5, 4}});
+  mesh.groups["part"] = {"part", 2, {{1, 0}}};
+  const std::vector<SurfacePatch> split = smooth_patches(mesh, "box", 1, 0.7);
+  ASSERT_EQ(split.size(), 7);
+  EXPECT_EQ(std::ranges::count_if(split, [](const SurfacePatch& patch) { return patch.faces.size() == 1; }), 3);
 }
 
 /// Two bodies of facets alone, in one list of nodes.

@@ -29,13 +29,16 @@ export class ModelViewer extends Viewer {
     };
     this.list = element(
       "select", { size: 8, multiple: true, on: { change: () => this.choose([...this.list.selectedOptions].map((one) => Number(one.value))) } },
-      ...this.model.faces.map((face) => element("option", { value: face.number }, this.words(face))),
     );
+    this.filter = element("input", { type: "search", maxlength: 200, spellcheck: "false", placeholder: "cylinder bolt",
+                                     on: { input: () => this.list_faces() } });
+    this.shown = element("span", { role: "status" });
+    this.list_faces();
     this.groups = element(
       "select", { size: Math.min(8, Math.max(2, this.model.groups.length)), on: { change: () => this.chooseGroup() } },
       ...this.model.groups.map((group, g) => element("option", { value: g }, [group.name, ...group.uses].join(": "))),
     );
-    this.facts = element("div", { class: "facts", "aria-live": "polite" });
+    this.facts = element("div", { class: "facts", "aria-live": "polite", role: "group", "aria-label": "Chosen faces", tabindex: 0 });
     this.name = element("input", { type: "text", maxlength: 200, spellcheck: "false", title: NAME,
                                    on: { keydown: (event) => event.key === "Enter" && this.give() } });
     const button = (words, action) => element("button", { type: "button", on: { click: action } }, words);
@@ -45,7 +48,8 @@ export class ModelViewer extends Viewer {
     this.panel = element(
       "div", { class: "panel" },
       this.facts,
-      labelled("Faces (several with Ctrl or Shift)", this.list),
+      element("div", { class: "faces" }, labelled("Faces (several with Ctrl or Shift)", this.list),
+              element("div", { class: "naming" }, labelled("List only faces with these words", this.filter), this.shown)),
       this.model.groups.length ? labelled("Groups, supports, loads and contacts", this.groups) : "",
       element("div", { class: "names" },
               element("div", { class: "naming" }, labelled("Name for the chosen faces", this.name), button("Add", () => this.give()),
@@ -77,6 +81,21 @@ export class ModelViewer extends Viewer {
   words(face) {
     const names = face.names.length ? `; ${face.names.join(", ")}` : "";
     return `${face.number}: ${face.kind} of ${this.data.header.bodies[face.body].name}${names}`;
+  }
+
+  // A model may have thousands of faces.
+  list_faces() {
+    const wanted = this.filter.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const found = this.model.faces.filter((face) => {
+      const text = `${this.words(face)} ${face.text} ${face.next_to.join(" ")}`.toLowerCase();
+      return wanted.every((word) => text.includes(word));
+    });
+    this.list.replaceChildren(...found.map((face) => {
+      const option = element("option", { value: face.number }, this.words(face));
+      option.selected = this.selected.has(face.number);
+      return option;
+    }));
+    this.shown.textContent = wanted.length ? `${found.length} of ${this.model.faces.length}` : "";
   }
 
   read(event) {

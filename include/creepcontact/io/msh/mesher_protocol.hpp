@@ -22,6 +22,7 @@ struct CadCut {
 /// How a CAD model is read and meshed. Faces are named by their numbers in the model after the cuts.
 struct CadRequest {
   std::string unit = "MM";  ///< of the mesh, to which the lengths of the file are converted: M, MM, CM, INCH, FT
+  double metres = 1e-3;     ///< the same unit of length in metres
   std::vector<CadCut> cuts;
   bool surfaces_only = false;  ///< a mesh of the surfaces alone, whatever its names
   double size = 0;             ///< of the elements; 0: a part of the size of the model
