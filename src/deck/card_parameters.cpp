@@ -182,6 +182,8 @@ std::map<std::string, List> lists() {
   of["SPRING"] = taken({"ELSET", "NONLINEAR"}) + of_table() + ignored({"RTOL"}) +
                  refused({"ORIENTATION"}, "springs along axes of their own are not known") +
                  refused({"COMPLEX STIFFNESS"}, "damping is not known");
+  of["KINEMATIC COUPLING"] =
+      taken({"REF NODE"}) + refused({"ORIENTATION"}, "couplings along axes of their own are not known");
   of["MASS"] = taken({"ELSET"}) + ignored({"ALPHA", "COMPOSITE"}) +
                refused({"TYPE", "ORIENTATION"}, "masses that differ along axes are not known");
   of["FRICTION"] =

@@ -84,7 +84,7 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     keep(Where::model, 6, {"CYCLIC SYMMETRY MODEL"});
     keep(Where::model, 0,
          {"INITIAL CONDITIONS", "SURFACE INTERACTION", "SURFACE BEHAVIOR", "CLEARANCE", "RIGID BODY", "CONTACT",
-          "SPRING", "MASS", "GAP CONDUCTANCE", "COUPLING"});
+          "SPRING", "MASS", "KINEMATIC COUPLING", "GAP CONDUCTANCE", "COUPLING"});
     keep(Where::model, 2, {"KINEMATIC", "DISTRIBUTING"});
     add(Kind::impossible, "contact that changes from step to step is not known", {"CHANGE SURFACE BEHAVIOR"});
     const std::string general =
@@ -145,7 +145,7 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     add(Kind::left_out, "it counts for output only", {"GASKET CONTACT AREA"});
     add(Kind::left_out, "the first surface of a pair is the slave", {"CONTACT FORMULATION"});
     add(Kind::impossible, "this kind of coupling is not known; *COUPLING with *KINEMATIC or *DISTRIBUTING is",
-        {"KINEMATIC COUPLING", "DISTRIBUTING COUPLING", "EMBEDDED ELEMENT", "SHELL TO SOLID COUPLING"});
+        {"DISTRIBUTING COUPLING", "EMBEDDED ELEMENT", "SHELL TO SOLID COUPLING"});
     add(Kind::impossible,
         "this card of stresses or strains at the start is not known; *INITIAL CONDITIONS, TYPE=STRESS is",
         {"INITIAL STRESS", "INITIAL STRAIN INCREASE"});

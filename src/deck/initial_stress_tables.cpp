@@ -13,7 +13,7 @@ namespace {
 
 using Stress = std::array<double, 6>;  // xx, yy, zz, xy, yz, zx
 
-/// Of the order of decks: 11, 22, 33, 12, 13, 23.
+/// @param values  in the order of decks: 11, 22, 33, 12, 13, 23
 Stress in_our_order(const std::vector<double>& values) {
   return {values[0], values[1], values[2], values[3], values[5], values[4]};
 }

@@ -114,8 +114,34 @@ class EquationReader {
     if (type == "PLANE") return plane(raw, nodes);
     if (type == "STRAIGHT") return straight(raw, nodes);
     if (type == "TIE" || type == "PIN") return equal(raw, nodes);
-    refuse(raw, fmt::format("{} is not known; PLANE, STRAIGHT, TIE and PIN are, for small displacements",
+    if (type == "MEANROT") return mean_rotation(raw, nodes);
+    refuse(raw, fmt::format("{} is not known; PLANE, STRAIGHT, TIE, PIN and MEANROT are, for small displacements",
                             type.empty() ? "a constraint without a type" : type));
+  }
+
+  /// The first degree of freedom of the last node is the mean of the angles by which the others turn about their
+  /// centre; its position is the direction of the axis (CalculiX, *MPC).
+  void mean_rotation(const RawCard& raw, Numbers nodes) {
+    constexpr double on_the_axis = 1e-6;  // of the largest distance
+    if (nodes.size() < 3) return refuse(raw, "MEANROT: the nodes that turn, and one for their rotation, are needed");
+    const std::int64_t pilot = nodes.back();
+    nodes.pop_back();
+    std::ranges::sort(nodes);  // they are listed once per direction
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    if (position(pilot).isZero(0)) return refuse(raw, "MEANROT: the last node, whose place is the axis, is at zero");
+    const Vector3 axis = position(pilot).normalized();
+    Vector3 centre = Vector3::Zero();
+    for (const std::int64_t node : nodes) centre += position(node) / static_cast<double>(nodes.size());
+    double largest = 0;
+    for (const std::int64_t node : nodes) largest = std::max(largest, (position(node) - centre).norm());
+    std::vector<Term> terms;
+    for (const std::int64_t node : nodes) {
+      const Vector3 from_centre = position(node) - centre, arm = from_centre - axis * axis.dot(from_centre);
+      if (arm.norm() > on_the_axis * largest) terms.push_back({node, axis.cross(arm) / arm.squaredNorm()});
+    }
+    if (terms.empty()) return refuse(raw, "MEANROT: all nodes are on the axis");
+    terms.push_back({pilot, -static_cast<double>(terms.size()) * Vector3::UnitX()});
+    add(raw, terms);
   }
 
   /// Along its normal a plane moves by a linear function of the position, which three nodes give that are not on a

@@ -307,10 +307,9 @@ void DeckReader::drop_missing_members(Deck& of) {
     const std::span<const std::int64_t> first = std::span(missing).first(std::min(most, missing.size()));
     deck_.left_out.push_back(
         {set.place, card,
-         fmt::format("'{}' names {} {} that {} not exist: {}{}; {} passed over", set.name, missing.size(),
+         fmt::format("'{}' names {} {} that {} not exist: {}{}", set.name, missing.size(),
                      missing.size() == 1 ? what : fmt::format("{}s", what), missing.size() == 1 ? "does" : "do",
-                     fmt::join(first, ", "), missing.size() > most ? ", ..." : "",
-                     missing.size() == 1 ? "it is" : "they are")});
+                     fmt::join(first, ", "), missing.size() > most ? ", ..." : "")});
   };
   for (auto& [name, set] : of.node_sets)
     drop(set, "NSET", "node", [&](std::int64_t node) { return of.node_of_number.contains(node); });

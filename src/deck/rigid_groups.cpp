@@ -19,17 +19,47 @@ const RawCard* kind_of_coupling(const Deck& deck, std::size_t coupling) {
   return name == "KINEMATIC" || name == "DISTRIBUTING" ? &deck.cards[coupling + 1] : nullptr;
 }
 
-/// Degrees of freedom that lines "first, last" name; all if there are none.
-std::set<int> freedoms(const RawCard& kind) {
+/// Degrees of freedom that lines "first, last" name; all if there are none. @param at  field of the first
+std::set<int> freedoms(const RawCard& kind, std::size_t at = 0) {
   std::set<int> result;
   for (const std::vector<std::string>& line : kind.data) {
-    const auto first = line.empty() ? std::nullopt : whole_number(line[0]);
-    const auto last = line.size() > 1 ? whole_number(line[1]) : first;
+    const auto first = line.size() <= at ? std::nullopt : whole_number(line[at]);
+    const auto last = line.size() > at + 1 ? whole_number(line[at + 1]) : first;
     if (first && last)
       for (std::int64_t k = *first; k <= std::min<std::int64_t>(*last, 6); ++k) result.insert(static_cast<int>(k));
   }
   if (result.empty()) result = {1, 2, 3, 4, 5, 6};
   return result;
+}
+
+bool has_all_displacements(const std::set<int>& freedoms) {
+  return freedoms.contains(1) && freedoms.contains(2) && freedoms.contains(3);
+}
+
+/// *KINEMATIC COUPLING, the older card: lines "node or set, first, last".
+std::optional<RigidGroup> kinematic_coupling(const RawCard& raw, const Resolver& resolver,
+                                             std::vector<Note>& impossible) {
+  const auto refuse = [&](const std::string& why) {
+    impossible.push_back({raw.card.place, raw.card.name, why});
+    return std::nullopt;
+  };
+  RigidGroup group;
+  group.place = raw.card.place;
+  group.card = raw.card.name;
+  const Numbers reference = resolver.nodes(raw.card.value("REFNODE"));
+  if (reference.size() != 1)
+    return refuse(fmt::format("REF NODE is '{}', which is not one node", raw.card.value("REFNODE")));
+  group.reference = reference.front();
+  if (!has_all_displacements(freedoms(raw, 1))) return refuse("some displacements alone are not known; 1 to 3 are");
+  for (const std::vector<std::string>& line : raw.data) {
+    const Numbers nodes = resolver.nodes(line.empty() ? "" : line[0]);
+    if (nodes.empty()) return refuse(fmt::format("there is no node or set '{}'", line.empty() ? "" : line[0]));
+    group.nodes.insert(group.nodes.end(), nodes.begin(), nodes.end());
+  }
+  std::ranges::sort(group.nodes);
+  group.nodes.erase(std::unique(group.nodes.begin(), group.nodes.end()), group.nodes.end());
+  if (group.nodes.empty()) return refuse("it has no nodes");
+  return group;
 }
 
 std::optional<RigidGroup> coupling_of(const Deck& deck, const Resolver& resolver, std::size_t at,
@@ -50,8 +80,7 @@ std::optional<RigidGroup> coupling_of(const Deck& deck, const Resolver& resolver
     return std::nullopt;
   }
   group.reference = reference.front();
-  const std::set<int> coupled = freedoms(*kind);
-  if (!coupled.contains(1) || !coupled.contains(2) || !coupled.contains(3)) {
+  if (!has_all_displacements(freedoms(*kind))) {
     refuse(fmt::format("*{} of some displacements is not known; those of 1 to 3 are", kind->card.name));
     return std::nullopt;
   }
@@ -82,6 +111,9 @@ std::vector<RigidGroup> find_rigid_groups(const Deck& deck, const Resolver& reso
     if ((raw.card.name == "KINEMATIC" || raw.card.name == "DISTRIBUTING") &&
         (at == 0 || deck.cards[at - 1].card.name != "COUPLING"))
       impossible.push_back({raw.card.place, raw.card.name, "it must follow *COUPLING"});
+    if (raw.card.name == "KINEMATIC COUPLING")
+      if (std::optional<RigidGroup> group = kinematic_coupling(raw, resolver, impossible))
+        groups.push_back(std::move(*group));
     if (raw.card.name != "RIGID BODY") continue;
     const auto refuse = [&](const std::string& why) { impossible.push_back({raw.card.place, raw.card.name, why}); };
     RigidGroup group;

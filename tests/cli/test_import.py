@@ -339,6 +339,27 @@ class Import(ImportTest):
             done = self.import_deck(f"wrong_{number}", CUBE + coupling.format(wrong) + step.format(""), 2)
             self.assertSays(done.stderr, fact)
 
+    def test_older_kinematic_coupling(self):
+        text = CUBE + "*NODE\n100, 0.5, 0.5, 3\n*NSET, NSET=top, GENERATE\n5, 8\n*KINEMATIC COUPLING, REF NODE=100\ntop, {}\n"
+        step = "*STEP\n*STATIC\n*CLOAD\n100, 3, 50.\n*NODE PRINT, NSET=Nall\nU\n*END STEP\n"
+        self.import_deck("older", text.format("1, 6") + step)
+        self.assertIn("[[rigid]]", (self.directory / "imported/older.toml").read_text())
+        self.expect_close(self.run_imported("older")[-1]["uz_node_7"], 0.0005, 1e-8)
+        self.assertSays(self.import_deck("partly", text.format("3, 3") + step, 2).stderr, "partly.inp:", "*KINEMATIC COUPLING", "1 to 3")
+
+    def test_mean_rotation(self):
+        """The top of the cube turns by 1e-3 about z; displacements of CalculiX 2.20."""
+        text = (CUBE.replace("x0, 1\ny0, 2\nz0, 3\n", "z0, 1, 3\n").replace("1e5, 0.", "1e5, 0.3") + "*NODE\n90, 0, 0, 1.\n*MPC\n"
+                "MEANROT, 5, 5, 5, 6, 6, 6, 7, 7, 7, 8, 8, 8, 90\n")
+        step = "*STEP\n*STATIC\n*BOUNDARY\n90, 1, 1, 1e-3\n*NODE PRINT, NSET=Nall\nU\n*END STEP\n"
+        self.import_deck("turned", text + step)
+        row = self.run_imported("turned")[-1]
+        for node, x, y in ((5, 5e-4, -5e-4), (6, 5e-4, 5e-4), (7, -5e-4, 5e-4), (8, -5e-4, -5e-4)):
+            self.expect_close(row[f"ux_node_{node}"], x, 1e-9)
+            self.expect_close(row[f"uy_node_{node}"], y, 1e-9)
+        done = self.import_deck("nowhere", text.replace("90, 0, 0, 1.", "90, 0, 0, 0") + step, 2)
+        self.assertSays(done.stderr, "nowhere.inp:", "*MPC: MEANROT", "axis")
+
     def test_sector(self):
         """A quarter of a thick square tube under pressure, with one element: the cut faces are linked."""
         text = ("*NODE, NSET=Nall\n1, 1, 0, 0\n2, 2, 0, 0\n3, 0, 2, 0\n4, 0, 1, 0\n5, 1, 0, 1\n6, 2, 0, 1\n7, 0, 2, 1\n8, 0, 1, 1\n"

@@ -151,6 +151,20 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   for (const auto& [name, file] : summary.libraries) json["libraries"][name] = file;
   for (const auto& [material, sources] : summary.sources) json["sources"][material] = sources;
   for (const auto& [name, probe] : summary.probes) json["probes"][name] = probe_json(probe);
+  for (const auto& [name, criterion] : summary.criteria) {
+    Json& own = json["criteria"][name];
+    own = {{"met", criterion.met ? Json(*criterion.met) : Json(nullptr)},
+           {"demand", criterion.demand},
+           {"kind", criterion.is_minimum ? "min" : "max"},
+           {"unit", criterion.unit}};
+    if (!criterion.met) continue;
+    own.update({{"found", criterion.found},
+                {"allowed", criterion.allowed},
+                {"utilisation", criterion.utilisation},
+                {"time", criterion.time}});
+    if (!criterion.body.empty()) own["body"] = criterion.body;
+    if (criterion.position) own["place"] = *criterion.position;
+  }
   for (const auto& [name, time] : summary.events) json["events"][name] = time ? Json(*time) : Json(nullptr);
   json["status"] = text(summary.status);
   if (!summary.message.empty()) json["message"] = summary.message;

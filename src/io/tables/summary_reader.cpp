@@ -54,6 +54,25 @@ std::map<std::string, Summary::Largest> extremes_of(const nlohmann::json& summar
   return result;
 }
 
+void read_criteria(const nlohmann::json& json, Summary& summary) {
+  const auto found = json.find("criteria");
+  if (found == json.end() || !found->is_object()) return;
+  for (const auto& [name, from] : found->items()) {
+    if (!from.is_object()) continue;
+    Summary::Criterion& criterion = summary.criteria[name];
+    if (const auto met = from.find("met"); met != from.end() && met->is_boolean()) criterion.met = met->get<bool>();
+    criterion.is_minimum = from.value("kind", "max") == "min";
+    criterion.found = number(from, "found");
+    criterion.allowed = number(from, "allowed");
+    criterion.utilisation = number(from, "utilisation");
+    criterion.time = number(from, "time");
+    criterion.body = from.value("body", "");
+    if (from.contains("place")) criterion.position = from.at("place").get<std::array<double, 3>>();
+    criterion.demand = from.value("demand", "");
+    criterion.unit = from.value("unit", "");
+  }
+}
+
 /// @param of  the end of the names of its numbers
 Summary::Course course_of(const nlohmann::json& json, const std::string& of) {
   return {number(json, ("initial_" + of).c_str()), number(json, ("largest_" + of).c_str()),
@@ -171,6 +190,7 @@ std::optional<Summary> parse_summary(std::string_view text) {
     summary.gasket_error = number_if_any(json, "gasket_error");
     for (const RunCounters::Field& field : RunCounters::fields) summary.*field.value = count(json, field.name);
     summary.events = events_of(json);
+    read_criteria(json, summary);
     summary.warnings = json.value("warnings", std::vector<std::string>());
     read_wall_seconds(json.at("wall_seconds"), summary);
     summary.title = json.value("title", "");

@@ -113,6 +113,19 @@ struct Summary : RunCounters {
     std::optional<double> equilibrium_residual;
   };
 
+  /// A criterion of the configuration, at the accepted step where it is closest to its limit, or farthest beyond.
+  struct Criterion {
+    std::optional<bool> met;  ///< nullopt: the run has not come to the times that count
+    bool is_minimum = false;  ///< what is found must not be below what is allowed; else not above
+    double found = 0, allowed = 0;
+    double utilisation = 0;  ///< found/allowed of a maximum, allowed/found of a minimum: above 1 it is not met
+    double time = 0;
+    std::string body = {};                               ///< empty: no place belongs to it
+    std::optional<std::array<double, 3>> position = {};  ///< in the body
+    std::string demand = {};                             ///< in words: "seal, at least 12 MPa until t = 1e5 h"
+    std::string unit = {};
+  };
+
   /// Heat at the end, per time of its data.
   struct Heat {
     std::vector<std::pair<std::string, double>> flows;     ///< into the bodies, by what supplies it
@@ -170,6 +183,7 @@ struct Summary : RunCounters {
   std::map<std::string, SummaryProbe> probes;  ///< by name; omitted if empty
   /// Time of each event by its name, nullopt if it has not happened; omitted if empty.
   std::map<std::string, std::optional<double>> events;
+  std::map<std::string, Criterion> criteria;  ///< by name; omitted if empty
 };
 
 /// What a contact did beyond carrying a force, as the rest of a sentence that begins with its name: "is open from t = 3
