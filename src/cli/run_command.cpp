@@ -7,6 +7,7 @@
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/cli/processes.hpp"
 #include "creepcontact/config/reader.hpp"
+#include "creepcontact/results/criteria.hpp"
 #include "creepcontact/run/report.hpp"
 #include "creepcontact/run/run.hpp"
 #include "creepcontact/run/vocabulary.hpp"
@@ -19,11 +20,13 @@ namespace po = boost::program_options;
 
 namespace {
 
+constexpr int criterion_not_met = 5;  // exit status
+
 /// @param settings  of the command, before those of the user
 int run_with(const std::vector<std::string>& settings, const Command& self, const Arguments& arguments) {
   run::RunOptions options;
   int threads = 0;
-  bool quiet = false, verbose = false;
+  bool quiet = false, verbose = false, strict = false;
   CommandLine line(self);
   add_overrides(line);
   line.add_options()("output,o", po::value(&options.output)->value_name("DIR"),
@@ -34,6 +37,8 @@ int run_with(const std::vector<std::string>& settings, const Command& self, cons
                      "continue from the checkpoint in the output directory");
   line.add_options()("log-contact", po::value(&options.log_contact)->value_name("FILE.csv"),
                      "write the iterations of the contact solver to this file, one row per iteration");
+  line.add_options()("strict", po::bool_switch(&strict),
+                     "end with the exit status 5 if a criterion is not met or could not be judged");
   line.add_options()("verbose,v", po::bool_switch(&verbose),
                      "at the end, also report steps, solves, accuracy, time and memory");
   line.add_options()("quiet,q", po::bool_switch(&quiet), "print only warnings and errors");
@@ -67,7 +72,12 @@ int run_with(const std::vector<std::string>& settings, const Command& self, cons
     std::cout << run::report(result) << (verbose ? run::details(result) : "");
     for (const std::string& advice : result.advice) log::warning("{}", advice);
   }
-  return result.exit_status;
+  if (result.exit_status != 0 || !strict) return result.exit_status;
+  for (const auto& [name, criterion] : result.results.criteria)
+    if (!criterion.met.value_or(false)) std::cerr << "error: " << results::criterion_line(name, criterion) << '\n';
+  return std::ranges::all_of(result.results.criteria, [](const auto& one) { return one.second.met.value_or(false); })
+             ? 0
+             : criterion_not_met;
 }
 
 }  // namespace

@@ -82,6 +82,8 @@ Value<Config> config_table(const Vocabulary& vocabulary) {
       field<Config>("probes", &Config::probes, tables(probe_table(vocabulary)), "columns of `history.csv`"),
       field<Config>("events", &Config::events, tables(event_table()),
                     "times at which conditions on probes first hold, for `summary.json` and plots"),
+      field<Config>("criteria", &Config::criteria, tables(criterion_table(vocabulary)),
+                    "what the run is judged by, for `summary.json` and the report"),
   });
 }
 

@@ -66,7 +66,9 @@ const Value<Config>& declared() {
 }  // namespace
 
 std::vector<ConfiguredFunction> functions(const Config& config) {
-  return functions_of(declared(), config);
+  std::vector<ConfiguredFunction> all = functions_of(declared(), config);
+  std::erase_if(all, [](const ConfiguredFunction& function) { return function.key.starts_with("criteria["); });
+  return all;
 }
 
 bool heat_changes_in_time(const Config& config) {

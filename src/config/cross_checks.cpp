@@ -291,6 +291,52 @@ void check_preloads(const Config& config, Diagnostics& errors) {
                  fmt::format("'at' between 0 and time.end = {:.6g}", config.time.end));
 }
 
+/// Names, times and materials that criteria need.
+void check_criteria(const Config& config, const Item& root, Diagnostics& errors) {
+  const std::vector<std::string> probes = names_of(config.probes), bodies = names_of(config.bodies),
+                                 contacts = names_of(config.contacts);
+  for (std::size_t i = 0; i < config.criteria.size(); ++i) {
+    const Criterion& criterion = config.criteria[i];
+    const Item item = root.child("criteria").element(i);
+    if (criterion.probe.given() && probes.empty())
+      errors.add(criterion.probe.location, fmt::format("there is no probe '{}'", criterion.probe.name),
+                 "the name of one of [[probes]]");
+    check_name(criterion.probe, "probe", probes, errors);
+    check_name(criterion.body, "body", bodies, errors);
+    if (criterion.contact.given() && contacts.empty())
+      errors.add(criterion.contact.location, fmt::format("there is no contact '{}'", criterion.contact.name),
+                 "the name of one of [[contacts]]");
+    check_name(criterion.contact, "contact", contacts, errors);
+    for (const auto& [key, time] :
+         {std::pair("from", criterion.from), {"until", criterion.until}, {"at", criterion.at}})
+      if (time && config.time.end > 0 && *time > config.time.end)
+        errors.add(item.child(key).location, fmt::format("{:g} after time.end = {:g}", *time, config.time.end),
+                   "a time up to the end of the run");
+    const auto lacks = [&](const auto& has, const std::string& what) {
+      const bool any = std::ranges::any_of(config.bodies, [&](const Body& body) {
+        if (criterion.body.given() && body.name != criterion.body.name) return false;
+        const auto material = std::ranges::find(config.materials, body.material.name, &Material::name);
+        return material != config.materials.end() && has(*material);
+      });
+      if (!any)
+        errors.add(criterion.location,
+                   criterion.body.given() ? fmt::format("the material of '{}' has no {}", criterion.body.name, what)
+                                          : fmt::format("no material has a {}", what),
+                   fmt::format("with materials.<name>.{}", what));
+    };
+    for (const std::optional<Allowed>* limit : {&criterion.min, &criterion.max}) {
+      if (!*limit) continue;
+      if ((*limit)->kind == Allowed::Kind::yield_strength)
+        lacks([](const Material& material) { return material.yield_strength.has_value(); }, "yield_strength");
+      if ((*limit)->kind == Allowed::Kind::rupture_strength)
+        lacks([](const Material& material) { return material.rupture.has_value(); }, "rupture");
+    }
+    if (criterion.kind == CriterionKind::creep_life)
+      lacks([](const Material& material) { return material.rupture.has_value(); }, "rupture");
+  }
+  check_unique(config.criteria, errors);
+}
+
 void check_fatigue(const Config& config, Diagnostics& errors) {
   for (const Material& material : config.materials)
     if (material.fatigue && !config.time.cycle)
@@ -333,6 +379,7 @@ void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
   check_unique(config.springs, errors);
   check_unique(config.probes, errors);
   check_unique(config.events, errors);
+  check_criteria(config, root, errors);
   check_expressions(config, errors);
   check_regions(config.bodies, errors);
   check_temperature(config, root, errors);

@@ -24,6 +24,11 @@ class Expressions {
       if (event.when.given()) used(event.when, "condition");
   }
 
+  void check_criteria(const std::vector<Criterion>& criteria) {
+    for (const Criterion& criterion : criteria)
+      if (criterion.expression.given()) used(criterion.expression, "expression");
+  }
+
   void check_probes() {
     for (std::size_t i = 0; i < probes_.size(); ++i)
       if (probes_[i].expression.given()) uses_[i] = used(probes_[i].expression, "expression");
@@ -96,6 +101,7 @@ void check_expressions(const Config& config, Diagnostics& errors) {
   Expressions expressions(config.probes, errors);
   expressions.check_probes();
   expressions.check_events(config.events);
+  expressions.check_criteria(config.criteria);
 }
 
 }  // namespace creepcontact::config

@@ -31,6 +31,7 @@ constexpr std::array words{
     KnownWord{"", "rigid_bodies rigid_body rigid_surfaces", "a surface that moves as a rigid body is 'rigid'"},
     KnownWord{"", "residual_stress residual_stresses prestress initial_conditions",
               "stress before the loads act is [initial_stress.<body>]"},
+    KnownWord{"", "criterion requirements requirement limits acceptance", "what a run is judged by are 'criteria'"},
     KnownWord{"", "event", "conditions on probes are 'events'"},
     KnownWord{"", "restart resume",
               "to continue from the last checkpoint, use the option --resume of creepcontact run"},

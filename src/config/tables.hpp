@@ -48,6 +48,7 @@ Value<Time> time_table(const Vocabulary& vocabulary);
 Value<Output> output_table();
 Value<Probe> probe_table(const Vocabulary& vocabulary);
 Value<Event> event_table();
+Value<Criterion> criterion_table(const Vocabulary& vocabulary);
 Value<Config> config_table(const Vocabulary& vocabulary);
 
 /// Variables of functions of place and time.

@@ -58,6 +58,10 @@ void widen(Course& course, double time, double value, double margin) {
 
 }  // namespace
 
+std::string ProbeRecord::unit_of(const config::Probe& probe, const std::string& units) {
+  return described(probe, units).unit.value_or("");
+}
+
 void ProbeRecord::output(double time, std::span<const double> values) {
   for (std::size_t i = 0; i < courses_.size(); ++i) {
     const double value = values[i];

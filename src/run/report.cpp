@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "creepcontact/base/units.hpp"
+#include "creepcontact/results/criteria.hpp"
 #include "heat_lines.hpp"
 
 namespace creepcontact::run {
@@ -92,8 +93,14 @@ std::string outcome_table(const io::Summary& summary) {
   const std::string up_to =
       is_end ? "" : fmt::format("last output: t = {:.6g}", summary.last_output.value_or(summary.time_reached));
   const auto is_unloaded = [](const auto& named) { return named.second.von_mises.largest == 0; };
+  const auto criteria = [&] {
+    std::string lines;
+    for (const auto& [name, criterion] : summary.criteria)
+      lines += "  " + results::criterion_line(name, criterion) + "\n";
+    return lines;
+  };
   if (summary.heat && summary.contacts.empty() && std::ranges::all_of(summary.bodies, is_unloaded))
-    return heat_lines(*summary.heat);
+    return heat_lines(*summary.heat) + criteria();
   std::string text = fmt::format("  {:<34}{:>12}{:>12}{:>12}{:>12}\n", up_to, "start", "largest",
                                  is_end ? "end" : "last", is_end ? "end/largest" : "last/largest");
   for (const auto& [name, contact] : summary.contacts)
@@ -125,6 +132,7 @@ std::string outcome_table(const io::Summary& summary) {
     text +=
         fmt::format("  body '{}' ruptured at t = {:.6g} {}\n", rupture->body, rupture->time, place(rupture->damage));
   if (summary.heat) text += heat_lines(*summary.heat);
+  text += criteria();
   if (summary.cycles) text += cycle_lines(*summary.cycles);
   if (summary.plastic_error.value_or(0) > 0)
     text += fmt::format("  plastic flow: estimated error of the stress {:.2g} of the yield stress\n",

@@ -11,6 +11,7 @@
 #include "creepcontact/base/units.hpp"
 #include "creepcontact/results/contact_values.hpp"
 #include "creepcontact/results/contact_width.hpp"
+#include "creepcontact/results/criteria.hpp"
 #include "creepcontact/results/heat_flows.hpp"
 #include "creepcontact/results/outcome.hpp"
 #include "creepcontact/results/small_strain_monitor.hpp"
@@ -44,6 +45,7 @@ class StartReport {
  public:
   StartReport(const config::Config& config, const model::Model& model, const Processes& processes)
       : config_(config),
+        model_(model),
         solver_(make_solver(config, model, model.assembly, processes, watch_)),
         system_(make_system(config, model, solver_, watch_)),
         at_(solved(model)) {}
@@ -62,7 +64,7 @@ class StartReport {
     const auto relaxation = system_.initial_relaxation(at_, config_.time.end);
     for (std::size_t b = 0; b < assembly.bodies().size(); ++b) text += body_line(b, relaxation[b]);
     if (has_yielded()) text += flow_line(finer);
-    return text + heat_text();
+    return text + heat_text() + criteria_text();
   }
 
  private:
@@ -98,6 +100,21 @@ class StartReport {
       return std::nullopt;
     }
     return finer;
+  }
+
+  /// Those that count at the start.
+  std::string criteria_text() {
+    if (config_.criteria.empty()) return "";
+    const auto probes = results::make_probes(config_, model_);
+    results::CriteriaWatch watch(config_, model_, probes);
+    results::Snapshot snapshot(system_, 0, at_);
+    watch.judge(0, watch.findings(snapshot));
+    io::Summary summary;
+    watch.fill(summary);
+    std::string text;
+    for (const auto& [name, criterion] : summary.criteria)
+      if (criterion.met) text += "  " + results::criterion_line(name, criterion) + "\n";
+    return text;
   }
 
   /// Where heat depends on contact: what flows, and how strongly they act on each other.
@@ -223,6 +240,7 @@ class StartReport {
   }
 
   const config::Config& config_;
+  const model::Model& model_;
   Stopwatch watch_;
   creep::EquilibriumSolver solver_;
   creep::CreepSystem system_;

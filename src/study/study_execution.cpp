@@ -52,6 +52,9 @@ void take_counts(const io::Summary& summary, StudyRow& row) {
   row.counted = true;
   static_cast<RunCounters&>(row) = summary;
   row.wall_seconds = summary.wall_seconds.total;
+  for (const auto& [name, criterion] : summary.criteria)
+    row.criteria[name] = criterion.met ? criterion.utilisation : ProbeCourse::unknown;
+  for (const auto& [name, time] : summary.events) row.events[name] = time.value_or(ProbeCourse::unknown);
 }
 
 /// Lines of a run's log that begin so, without their beginning.

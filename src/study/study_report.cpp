@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "creepcontact/base/one_line.hpp"
 #include "creepcontact/io/tables/csv_table.hpp"
@@ -59,20 +61,31 @@ std::string rule(std::size_t columns) {
   return line + '\n';
 }
 
-Cells head(const config::Study& study) {
+/// Names of criteria or events that some run has.
+std::set<std::string> names_in(const std::vector<StudyRow>& rows, std::map<std::string, double> StudyRow::*of) {
+  std::set<std::string> names;
+  for (const StudyRow& row : rows)
+    for (const auto& [name, value] : row.*of) names.insert(name);
+  return names;
+}
+
+Cells head(const config::Study& study, const std::vector<StudyRow>& rows) {
   Cells cells = keys(study);
   if (study.reference)
     for (const config::Reference& quantity : study.compare.quantities) cells.push_back("error_" + quantity.name);
   for (const config::Reference& quantity : study.compare.quantities)
     for (const char* const part : {"start", "end", "min", "max"})
       cells.push_back(fmt::format("{}_{}", quantity.name, part));
+  for (const std::string& name : names_in(rows, &StudyRow::criteria)) cells.push_back("criterion_" + name);
+  for (const std::string& name : names_in(rows, &StudyRow::events)) cells.push_back("event_" + name);
   cells.insert(cells.end(), {"status", "message"});
   for (const std::string& name : config::study_counts()) cells.push_back(name);
   return cells;
 }
 
 /// Cells under head(). @param digits  significant ones of errors and seconds, two less than those of probes; 0: all
-Cells body(const config::Study& study, const config::PlannedRun& run, const StudyRow& row, int digits) {
+Cells body(const config::Study& study, const config::PlannedRun& run, const StudyRow& row,
+           const std::vector<StudyRow>& rows, int digits) {
   const auto with_digits = [&](double value, int more) {
     if (!std::isfinite(value)) return std::string();
     return digits > 0 ? fmt::format("{:.{}g}", value, digits + more) : fmt::format("{}", value);
@@ -86,6 +99,13 @@ Cells body(const config::Study& study, const config::PlannedRun& run, const Stud
     for (const double value : {course.start, course.end, course.min, course.max})
       cells.push_back(with_digits(value, 2));
   }
+  for (const auto of : {&StudyRow::criteria, &StudyRow::events})
+    for (const std::string& name : names_in(rows, of)) {
+      const auto found = (row.*of).find(name);
+      const bool is_known = found != (row.*of).end();
+      cells.push_back(is_known && std::isinf(found->second) ? "inf"
+                                                            : number(is_known ? found->second : ProbeCourse::unknown));
+    }
   cells.push_back(row.status);
   cells.push_back(one_line(row.message));
   for (const std::string& name : config::study_counts()) {
@@ -139,8 +159,8 @@ std::string orders_text(const config::Study& study, const std::vector<StudySerie
 
 std::string study_csv(const config::Study& study, const std::vector<config::PlannedRun>& runs,
                       const std::vector<StudyRow>& rows) {
-  std::string text = csv_line(head(study));
-  for (std::size_t r = 0; r < runs.size(); ++r) text += csv_line(body(study, runs[r], rows[r], 0));
+  std::string text = csv_line(head(study, rows));
+  for (std::size_t r = 0; r < runs.size(); ++r) text += csv_line(body(study, runs[r], rows[r], rows, 0));
   return text;
 }
 
@@ -148,11 +168,11 @@ std::string study_markdown(const config::Study& study, const std::vector<config:
                            const std::vector<StudyRow>& rows, const std::optional<StudyRow>& reference,
                            const std::vector<std::filesystem::path>& pictures) {
   constexpr int digits = 3;
-  const Cells columns = head(study);
+  const Cells columns = head(study, rows);
   std::string text = fmt::format("# {}\n\n{}", study.title.empty() ? study.file.stem().string() : study.title,
                                  reference_text(study, reference));
   text += markdown_line(columns) + rule(columns.size());
-  for (std::size_t r = 0; r < runs.size(); ++r) text += markdown_line(body(study, runs[r], rows[r], digits));
+  for (std::size_t r = 0; r < runs.size(); ++r) text += markdown_line(body(study, runs[r], rows[r], rows, digits));
   text += orders_text(study, series(study, runs), rows);
   if (!pictures.empty()) text += "\n## Pictures\n";
   for (const std::filesystem::path& picture : pictures)

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,12 @@ ProbeCourse course_of(const std::vector<double>& values);
 
 /// Numbers that are not known are NaN.
 struct StudyRow : RunCounters {
-  std::string status;                     ///< "completed", "ruptured", "failed", "interrupted", "not started"
-  std::string message;                    ///< why it failed or has no error; the warnings of a run that succeeded
-  std::vector<double> errors;             ///< relative, one per quantity; empty without reference
-  std::vector<ProbeCourse> courses = {};  ///< one per quantity
+  std::string status;                           ///< "completed", "ruptured", "failed", "interrupted", "not started"
+  std::string message;                          ///< why it failed or has no error; the warnings of a run that succeeded
+  std::vector<double> errors;                   ///< relative, one per quantity; empty without reference
+  std::vector<ProbeCourse> courses = {};        ///< one per quantity
+  std::map<std::string, double> criteria = {};  ///< utilisation by name; NaN: not judged
+  std::map<std::string, double> events = {};    ///< time by name; NaN: did not happen
   double wall_seconds = 0;
   bool counted = false;  ///< whether the run left a summary, and so the numbers above
   bool succeeded() const { return status == "completed" || status == "ruptured"; }

@@ -557,6 +557,44 @@ struct Event {
   Location location;
 };
 
+/// What a criterion allows: a function, or what the material of the place has at its temperature.
+struct Allowed {
+  enum class Kind { function, yield_strength, rupture_strength };
+  Kind kind = Kind::function;
+  Function value = 0.0;  ///< of t; of a field also of T
+};
+
+/// Criteria that need little else.
+enum class CriterionKind { yield, creep_life, creep_strain, leak, interference_lost };
+constexpr auto names_of(CriterionKind) {
+  return std::to_array<settings::EnumName<CriterionKind>>({{"yield", CriterionKind::yield},
+                                                           {"creep_life", CriterionKind::creep_life},
+                                                           {"creep_strain", CriterionKind::creep_strain},
+                                                           {"leak", CriterionKind::leak},
+                                                           {"interference_lost", CriterionKind::interference_lost}});
+}
+
+/// [[criteria]]: a demand on the run, judged at the end of every step. One of `probe`, `expression`, `quantity` and
+/// `kind` says of what.
+struct Criterion {
+  std::string name;
+  Reference probe;
+  Reference expression;  ///< of names of probes and t
+  std::string quantity;  ///< a field, over all of a body
+  std::optional<CriterionKind> kind;
+  Reference body;     ///< of `quantity`, yield, creep_life, creep_strain; not given: all of them
+  Reference contact;  ///< of leak, interference_lost
+  std::vector<std::array<double, 3>> away_from;  ///< points near which the field does not count, within ...
+  double distance = 0;
+  std::optional<std::array<std::array<double, 3>, 2>> path;  ///< of creep_strain: through the wall
+  std::array<double, 3> strains{0.01, 0.02, 0.05};           ///< of creep_strain: membrane, with bending, local
+  std::optional<Allowed> min, max;                           ///< one of them
+  double safety = 1;                                         ///< what is allowed is divided by it (min: times it)
+  std::optional<double> life;             ///< time for which the rupture strength counts; nullopt: time.end
+  std::optional<double> from, until, at;  ///< times that count
+  Location location;
+};
+
 /// [generalized_plane_strain]
 struct GeneralizedPlaneStrain {
   std::optional<Function> strain;  ///< of t: the axial strain of all bodies; if not given it follows from ...
@@ -594,6 +632,7 @@ struct Config {
   Output output;
   std::vector<Probe> probes;
   std::vector<Event> events;
+  std::vector<Criterion> criteria;
 
   /// @throws std::out_of_range if the name is unknown (reading has checked those that bodies refer to)
   const Material& material(const std::string& name) const;

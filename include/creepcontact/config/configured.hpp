@@ -31,7 +31,8 @@ struct ConfiguredValue {
   std::string text;  ///< as a file has it, the same for equal values: 1.0 and 1 are both "1"
 };
 
-/// All functions in the order of the keys, those of keys that have their defaults included. Cost: linear in the
+/// All functions that act on the model, in the order of the keys, those of keys that have their defaults included; the
+/// limits of criteria only judge it. Cost: linear in the
 /// number of keys.
 std::vector<ConfiguredFunction> functions(const Config& config);
 /// Whether one of those that act by the temperature alone depends on the time.

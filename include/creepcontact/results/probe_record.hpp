@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "creepcontact/config/config.hpp"
@@ -22,6 +23,9 @@ class ProbeRecord {
   /// they count where they go beyond those known by more than the tolerance.
   /// @param tolerance  relative to the largest magnitude so far @param values  one per probe, or none
   void observe(double time, std::span<const double> values, double tolerance);
+
+  /// The unit of the values of a probe as a word; empty if it has none or it is not known.
+  static std::string unit_of(const config::Probe& probe, const std::string& units);
 
   /// What the probes of the configuration are, and their courses so far.
   void fill(const config::Config& config, io::Summary& summary) const;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -64,7 +65,8 @@ void read_criteria(const nlohmann::json& json, Summary& summary) {
     criterion.is_minimum = from.value("kind", "max") == "min";
     criterion.found = number(from, "found");
     criterion.allowed = number(from, "allowed");
-    criterion.utilisation = number(from, "utilisation");
+    // Beyond a limit of zero it is infinite, which JSON has no number for.
+    criterion.utilisation = number_if_any(from, "utilisation").value_or(std::numeric_limits<double>::infinity());
     criterion.time = number(from, "time");
     criterion.body = from.value("body", "");
     if (from.contains("place")) criterion.position = from.at("place").get<std::array<double, 3>>();
