@@ -11,27 +11,27 @@ namespace {
 constexpr std::array strengths{"yield_strength", "rupture_strength"};
 
 /// A function of t and T, or the name of a strength.
-Value<Allowed> allowed_value() {
+Value<CriterionLimit> allowed_value() {
   const Value<Function> given = function({"t", "T"});
-  Value<Allowed> value{.type = given.type + ", \"yield_strength\" or \"rupture_strength\"",
-                       .read = {},
-                       .brief = given.brief + ", `\"yield_strength\"` or `\"rupture_strength\"`",
-                       .words = words_of({strengths[0], strengths[1]}),
-                       .json = [given] {
-                         return schema_of_any({given.json(), schema_of_words({strengths[0], strengths[1]})});
-                       }};
-  value.read = [given](const Item& item, Context& context) -> std::optional<Allowed> {
+  Value<CriterionLimit> value{.type = given.type + ", \"yield_strength\" or \"rupture_strength\"",
+                              .read = {},
+                              .brief = given.brief + ", `\"yield_strength\"` or `\"rupture_strength\"`",
+                              .words = words_of({strengths[0], strengths[1]}),
+                              .json = [given] {
+                                return schema_of_any({given.json(), schema_of_words({strengths[0], strengths[1]})});
+                              }};
+  value.read = [given](const Item& item, Context& context) -> std::optional<CriterionLimit> {
     const auto text = item.node->value<std::string>();
-    if (text == strengths[0]) return Allowed{Allowed::Kind::yield_strength, 0.0};
-    if (text == strengths[1]) return Allowed{Allowed::Kind::rupture_strength, 0.0};
+    if (text == strengths[0]) return CriterionLimit{CriterionLimit::Kind::yield_strength, 0.0};
+    if (text == strengths[1]) return CriterionLimit{CriterionLimit::Kind::rupture_strength, 0.0};
     const auto found = given.read(item, context);
     if (!found) return std::nullopt;
-    return Allowed{Allowed::Kind::function, *found};
+    return CriterionLimit{CriterionLimit::Kind::function, *found};
   };
-  value.visit = [given](const Allowed& allowed, Visitor& to) {
-    if (allowed.kind == Allowed::Kind::function) return given.visit(allowed.value, to);
+  value.visit = [given](const CriterionLimit& allowed, Visitor& to) {
+    if (allowed.kind == CriterionLimit::Kind::function) return given.visit(allowed.value, to);
     to.leaf([kind = allowed.kind] {
-      return toml_of(std::string(strengths[kind == Allowed::Kind::yield_strength ? 0 : 1]));
+      return toml_of(std::string(strengths[kind == CriterionLimit::Kind::yield_strength ? 0 : 1]));
     });
   };
   return value;
@@ -104,14 +104,14 @@ void check(const Criterion& criterion, const Item& item, Context& context) {
   if (item.has("distance") != item.has("away_from"))
     report(item.has("distance") ? "distance" : "away_from", "given without the other one",
            "'away_from' and 'distance' together");
-  for (const std::optional<Allowed>* limit : {&criterion.min, &criterion.max}) {
+  for (const std::optional<CriterionLimit>* limit : {&criterion.min, &criterion.max}) {
     if (!*limit) continue;
     const char* const key = limit == &criterion.min ? "min" : "max";
     if (criterion.quantity.empty() &&
-        ((*limit)->kind != Allowed::Kind::function || (*limit)->value.depends_on_temperature()))
+        ((*limit)->kind != CriterionLimit::Kind::function || (*limit)->value.depends_on_temperature()))
       report(key, "depends on the place or its temperature, which is not known here", "a number or a function of t");
   }
-  if (item.has("life") && criterion.max.value_or(Allowed()).kind != Allowed::Kind::rupture_strength)
+  if (item.has("life") && criterion.max.value_or(CriterionLimit()).kind != CriterionLimit::Kind::rupture_strength)
     report("life", "has no meaning here", "with max = \"rupture_strength\"");
   if (item.has("at"))
     for (const std::string& key : given_keys(item, {"from", "until"}))

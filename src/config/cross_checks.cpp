@@ -324,11 +324,11 @@ void check_criteria(const Config& config, const Item& root, Diagnostics& errors)
                                           : fmt::format("no material has a {}", what),
                    fmt::format("with materials.<name>.{}", what));
     };
-    for (const std::optional<Allowed>* limit : {&criterion.min, &criterion.max}) {
+    for (const std::optional<CriterionLimit>* limit : {&criterion.min, &criterion.max}) {
       if (!*limit) continue;
-      if ((*limit)->kind == Allowed::Kind::yield_strength)
+      if ((*limit)->kind == CriterionLimit::Kind::yield_strength)
         lacks([](const Material& material) { return material.yield_strength.has_value(); }, "yield_strength");
-      if ((*limit)->kind == Allowed::Kind::rupture_strength)
+      if ((*limit)->kind == CriterionLimit::Kind::rupture_strength)
         lacks([](const Material& material) { return material.rupture.has_value(); }, "rupture");
     }
     if (criterion.kind == CriterionKind::creep_life)

@@ -59,7 +59,7 @@ CriteriaWatch::CriteriaWatch(const config::Config& config, const model::Model& m
     demands_.push_back(demand_of(criterion, units_.back()) + times_of(criterion));
     for (const std::optional<double>& time : {criterion.from, criterion.until, criterion.at})
       if (time) edges_.push_back({*time, i});
-    for (const std::optional<config::Allowed>* limit : {&criterion.min, &criterion.max})
+    for (const std::optional<config::CriterionLimit>* limit : {&criterion.min, &criterion.max})
       if (*limit)
         for (const double time : (*limit)->value.breakpoints(config.time.end))
           if (!criterion.at && counts(i, time)) edges_.push_back({time, i});

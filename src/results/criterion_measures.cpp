@@ -18,11 +18,11 @@
 namespace creepcontact::results {
 namespace {
 
-using config::Allowed;
 using config::Criterion;
 using config::CriterionKind;
+using config::CriterionLimit;
 
-const Allowed& limit_of(const Criterion& criterion) {
+const CriterionLimit& limit_of(const Criterion& criterion) {
   return criterion.min ? *criterion.min : *criterion.max;
 }
 
@@ -37,17 +37,17 @@ Criterion written_out(Criterion criterion) {
   switch (*criterion.kind) {
     case CriterionKind::yield:
       criterion.quantity = "von_mises";
-      criterion.max = Allowed{Allowed::Kind::yield_strength, 0.0};
+      criterion.max = CriterionLimit{CriterionLimit::Kind::yield_strength, 0.0};
       break;
     case CriterionKind::creep_life:
       criterion.quantity = "life_fraction";
-      if (!criterion.max) criterion.max = Allowed{Allowed::Kind::function, 1.0};
+      if (!criterion.max) criterion.max = CriterionLimit{CriterionLimit::Kind::function, 1.0};
       break;
     case CriterionKind::creep_strain:
-      criterion.max = Allowed{Allowed::Kind::function, criterion.strains[0]};
+      criterion.max = CriterionLimit{CriterionLimit::Kind::function, criterion.strains[0]};
       break;
     default:
-      if (!criterion.min) criterion.min = Allowed{Allowed::Kind::function, 0.0};
+      if (!criterion.min) criterion.min = CriterionLimit{CriterionLimit::Kind::function, 0.0};
   }
   return criterion;
 }
@@ -124,14 +124,14 @@ class FieldMeasure final : public CriterionMeasure {
       const material::Material& material = model.bodies()[b].material();
       OfBody of{b, {}, {}};
       switch (limit_of(criterion).kind) {
-        case Allowed::Kind::function:
+        case CriterionLimit::Kind::function:
           of.allowed = limit_of(criterion).value;
           break;
-        case Allowed::Kind::yield_strength:
+        case CriterionLimit::Kind::yield_strength:
           if (!material.yield_strength) continue;
           of.allowed = *material.yield_strength;
           break;
-        case Allowed::Kind::rupture_strength: {
+        case CriterionLimit::Kind::rupture_strength: {
           const auto& rupture = config.material(config.bodies[b].material.name).rupture;
           if (!rupture) continue;
           of.rupture.emplace(model::rupture_data(*rupture), criterion.life.value_or(config.time.end));
@@ -317,12 +317,12 @@ std::string limit_text(const Criterion& given, const std::string& unit) {
                        100 * given.strains[1], 100 * given.strains[2]);
   const Criterion criterion = written_out(given);
   if (given.kind == CriterionKind::interference_lost && !given.min) return "above 0";
-  const Allowed& limit = limit_of(criterion);
+  const CriterionLimit& limit = limit_of(criterion);
   std::string text = is_minimum(criterion) ? "at least " : "at most ";
-  if (limit.kind == Allowed::Kind::function)
+  if (limit.kind == CriterionLimit::Kind::function)
     text += limit.value.text() + (unit.empty() ? "" : " " + unit);
   else
-    text += limit.kind == Allowed::Kind::yield_strength ? "the yield strength" : "the rupture strength";
+    text += limit.kind == CriterionLimit::Kind::yield_strength ? "the yield strength" : "the rupture strength";
   if (criterion.safety != 1) text += fmt::format(", with a safety of {:g}", criterion.safety);
   return text;
 }

@@ -558,7 +558,7 @@ struct Event {
 };
 
 /// What a criterion allows: a function, or what the material of the place has at its temperature.
-struct Allowed {
+struct CriterionLimit {
   enum class Kind { function, yield_strength, rupture_strength };
   Kind kind = Kind::function;
   Function value = 0.0;  ///< of t; of a field also of T
@@ -588,7 +588,7 @@ struct Criterion {
   double distance = 0;
   std::optional<std::array<std::array<double, 3>, 2>> path;  ///< of creep_strain: through the wall
   std::array<double, 3> strains{0.01, 0.02, 0.05};           ///< of creep_strain: membrane, with bending, local
-  std::optional<Allowed> min, max;                           ///< one of them
+  std::optional<CriterionLimit> min, max;                    ///< one of them
   double safety = 1;                                         ///< what is allowed is divided by it (min: times it)
   std::optional<double> life;             ///< time for which the rupture strength counts; nullopt: time.end
   std::optional<double> from, until, at;  ///< times that count

@@ -46,6 +46,10 @@ double SummaryFile::number(const std::string& key) const {
   return json_->at(position(key)).get<double>();
 }
 
+bool SummaryFile::truth(const std::string& key) const {
+  return json_->at(position(key)).get<bool>();
+}
+
 std::vector<std::string> SummaryFile::texts(const std::string& key) const {
   return has(key) ? json_->at(position(key)).get<std::vector<std::string>>() : std::vector<std::string>{};
 }

@@ -37,6 +37,8 @@ class SummaryFile {
   bool has(const std::string& key) const;
   /// @throws std::exception if there is no such key, or no number
   double number(const std::string& key) const;
+  /// @throws std::exception if there is no such key, or neither true nor false
+  bool truth(const std::string& key) const;
   /// @throws std::exception if there is no such key, or no text
   std::string text(const std::string& key) const;
   /// A list of texts; empty if there is no such key.

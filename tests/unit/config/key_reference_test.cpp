@@ -66,7 +66,8 @@ TEST(KeySections, TablesAsInTheFile) {
                            "[time]",
                            "[output]",
                            "[[probes]]",
-                           "[[events]]"}));
+                           "[[events]]",
+                           "[[criteria]]"}));
 }
 
 TEST(KeySections, EveryKeyStandsInOneOfThem) {
