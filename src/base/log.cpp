@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <map>
 
 #include "creepcontact/base/log_notice.hpp"
 
@@ -74,12 +75,19 @@ WarningRecord::~WarningRecord() {
 
 void WarningRecord::add(std::string_view message) {
   const std::scoped_lock lock(mutex_);
-  if (std::ranges::find(texts_, message) == texts_.end()) texts_.emplace_back(message);
+  constexpr std::size_t most = 10'000;  // beyond which repetitions are not counted any more
+  if (texts_.size() < most || std::ranges::find(texts_, message) == texts_.end()) texts_.emplace_back(message);
 }
 
 std::vector<std::string> WarningRecord::texts() const {
   const std::scoped_lock lock(mutex_);
-  return texts_;
+  std::vector<std::string> each;
+  std::map<std::string_view, int> times;
+  for (const std::string& text : texts_)
+    if (times[text]++ == 0) each.push_back(text);
+  for (std::string& text : each)
+    if (const int n = times[text]; n > 1) text += fmt::format(" ({} times)", n);
+  return each;
 }
 
 void set_level(Level level) {

@@ -243,9 +243,12 @@ std::vector<std::string> advice(const Summary& run) {
     if (steps.largest_error() > 0 && share(contact.set_changes, summary.steps) > many_set_changes &&
         share(summary.rejected_steps, summary.steps) > many_failures)
       lines.push_back(
-          fmt::format("contact '{}' opened or closed somewhere in {} of {} steps, which keeps them short; a "
-                      "coarser mesh of its slave surface, or a larger time.tolerance, makes them longer",
-                      contact.name, contact.set_changes, summary.steps));
+          fmt::format("contact '{}' opened or closed somewhere in {} of {} steps, which keeps them short; {} makes "
+                      "them longer",
+                      contact.name, contact.set_changes, summary.steps,
+                      // Accuracy comes first: such a contact needs a finer mesh.
+                      contact.is_narrow ? "a larger time.tolerance"
+                                        : "a coarser mesh of its slave surface, or a larger time.tolerance,"));
   return lines;
 }
 

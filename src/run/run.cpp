@@ -23,6 +23,7 @@
 #include "creepcontact/platform/directory_lock.hpp"
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/platform/memory.hpp"
+#include "creepcontact/results/contact_width.hpp"
 #include "creepcontact/results/probes.hpp"
 #include "creepcontact/run/report.hpp"
 #include "creepcontact/run/vocabulary.hpp"
@@ -33,6 +34,7 @@
 #include "observers/observers.hpp"
 #include "preparation.hpp"
 #include "summary_file.hpp"
+#include "warning_order.hpp"
 
 namespace creepcontact::run {
 namespace {
@@ -86,8 +88,14 @@ Diagnosis diagnosis(const creep::CreepSystem& system) {
   const std::vector<double> times = system.relaxation_times(system.step_evaluation());
   for (std::size_t b = 0; b < times.size(); ++b)
     result.bodies.push_back({system.assembly().bodies()[b].name(), times[b]});
-  for (std::size_t p = 0; p < system.assembly().pairs().size(); ++p)
-    result.contacts.push_back({system.assembly().pairs()[p].name, system.history().set_changes[p]});
+  const creep::Equilibrium& at = system.step_evaluation().equilibrium;
+  for (std::size_t p = 0; p < system.assembly().pairs().size(); ++p) {
+    const contact::Pair& pair = system.assembly().pairs()[p];
+    const std::int64_t changes = system.history().set_changes[p];
+    const std::optional<int> width =
+        changes > 0 && !pair.ties_nodes() ? results::elements_across(system.assembly(), pair, at) : std::nullopt;
+    result.contacts.push_back({pair.name, changes, width && !results::narrow_contact_text(pair, *width, "").empty()});
+  }
   return result;
 }
 
@@ -299,6 +307,7 @@ Summary run(const config::Config& given, const RunOptions& options) {
     summary.advice = advice(summary);
   }
   for (const std::string& line : summary.advice) summary.add_warning(line);
+  summary.results.warnings = by_consequence(std::move(summary.results.warnings));
   if (team.any(!summary.advice.empty())) file.write(summary);
   return summary;
 }

@@ -7,6 +7,7 @@
 #include "creepcontact/linalg/blas_library.hpp"
 #include "creepcontact/platform/memory.hpp"
 #include "model_record.hpp"
+#include "warning_order.hpp"
 
 namespace creepcontact::run {
 namespace {
@@ -71,6 +72,7 @@ Summary SummaryFile::make(Status status, const std::string& message) const {
   results.peak_memory_mb = platform::peak_memory() / (1 << 20);
   results.warnings = earlier_warnings_;
   for (const std::string& warning : warnings_.texts()) summary.add_warning(warning);
+  results.warnings = by_consequence(std::move(results.warnings));
   describe_loop_(summary);
   observers_.finish(summary);
   return summary;

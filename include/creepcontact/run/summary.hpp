@@ -47,6 +47,7 @@ struct Diagnosis {
   struct Contact {
     std::string name;
     std::int64_t set_changes;  ///< accepted steps after which other nodes were in contact
+    bool is_narrow = false;    ///< its zone is too few elements wide already
   };
   std::vector<Body> bodies;
   std::vector<Contact> contacts;

@@ -20,10 +20,10 @@ TEST(WarningRecord, KeepsEachWarningOnceWhetherShownOrNot) {
     info("no warning");
     error("no warning either");
     std::thread([] { warning("of a thread"); }).join();
-    EXPECT_EQ(inner.texts(), (std::vector<std::string>{"twice 2", "of a thread"}));
+    EXPECT_EQ(inner.texts(), (std::vector<std::string>{"twice 2 (2 times)", "of a thread"}));
   }
   warning("after");
-  EXPECT_EQ(outer.texts(), (std::vector<std::string>{"twice 2", "of a thread", "after"}));
+  EXPECT_EQ(outer.texts(), (std::vector<std::string>{"twice 2 (2 times)", "of a thread", "after"}));
   set_level(Level::info);
 }
 

@@ -132,6 +132,9 @@ TEST(Advice, TellsOfRejectedStepsAndOfContactThatKeepsThemShort) {
   ASSERT_EQ(lines.size(), 2U);
   expect_line(lines[0], {"35 steps", "100 ", "Body 'bolt'", "Contact 'nut'", "time.breakpoints"});
   expect_line(lines[1], {"contact 'nut'", "40 of 100 steps", "time.tolerance"});
+  EXPECT_NE(lines[1].find("coarser mesh"), std::string::npos);
+  for (Diagnosis::Contact& contact : run.diagnosis.contacts) contact.is_narrow = true;
+  EXPECT_EQ(advice(run)[1].find("coarser mesh"), std::string::npos) << "against the accuracy: " << advice(run)[1];
   run.diagnosis = {};
   const Lines undiagnosed = advice(run);
   ASSERT_EQ(undiagnosed.size(), 1U);
