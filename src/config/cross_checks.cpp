@@ -331,6 +331,8 @@ void check_criteria(const Config& config, const Item& root, Diagnostics& errors)
       if ((*limit)->kind == CriterionLimit::Kind::rupture_strength)
         lacks([](const Material& material) { return material.rupture.has_value(); }, "rupture");
     }
+    if (criterion.kind == CriterionKind::yield)
+      lacks([](const Material& material) { return material.yield_strength.has_value(); }, "yield_strength");
     if (criterion.kind == CriterionKind::creep_life)
       lacks([](const Material& material) { return material.rupture.has_value(); }, "rupture");
   }

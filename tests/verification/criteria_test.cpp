@@ -68,7 +68,7 @@ TEST(Criteria, AtOneTime) {
       "end = 10\n");
   EXPECT_NEAR(outcome.summary.number("criteria/then/time"), 3.7, 1e-9);
   EXPECT_NEAR(outcome.summary.number("criteria/then/found"), 37, 1e-6);
-  EXPECT_NEAR(outcome.summary.number("criteria/then/allowed"), 7.4, 1e-9);
+  EXPECT_NEAR(outcome.summary.number("criteria/then/allowed"), 7.4, 1e-8);
   EXPECT_EQ(outcome.summary.truth("criteria/then/met"), false);
 }
 
@@ -169,9 +169,9 @@ TEST(Criteria, MistakesAreNamed) {
     }
     return "accepted";
   };
-  const std::vector<std::pair<std::string, std::vector<std::string>>> mistakes{
-      {"probe = \"sx\"\nmax = 1", {"criteria[0].probe", "'sx'", "'sxx'"}},
-      {"expression = \"2*sx\"\nmax = 1", {"criteria[0].expression", "'sx'", "'sxx'"}},
+  const std::vector<std::pair<std::string, std::vector<std::string_view>>> mistakes{
+      {"probe = \"sx\"\nmax = 1", {"criteria[0].probe", "'sx'", "sxx"}},
+      {"expression = \"2*sx\"\nmax = 1", {"criteria[0].expression", "'sx'", "sxx"}},
       {"probe = \"sxx\"", {"criteria[0]", "no limit", "min"}},
       {"max = 1", {"criteria[0]", "nothing that it is about"}},
       {"probe = \"sxx\"\nkind = \"yield\"", {"'probe' and 'kind'"}},

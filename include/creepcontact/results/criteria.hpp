@@ -51,7 +51,7 @@ class CriteriaWatch {
   /// Numbers for judge(): Finding::n_numbers of each criterion that counts at this time, NaN of the others. In process
   /// 0. @param all  times do not matter
   std::vector<double> findings(Snapshot& snapshot) const;
-  /// Of one criterion, whatever the time.
+  /// Findings of one criterion, whatever the time.
   std::vector<double> findings_of(std::size_t criterion, Snapshot& snapshot) const;
   /// Keeps what is closer to a limit than what was found before.
   void judge(double time, std::span<const double> findings);
