@@ -106,6 +106,10 @@ void Cycles::jump(StepView& view) {
   if (stage_ == Stage::within && loads_.jumps_at(view.time())) watch_.observe(view);
 }
 
+void Cycles::state(StepView& view) {
+  if (stage_ == Stage::within) watch_.observe_probes(view.probe_values());
+}
+
 void Cycles::output(StepView& view) {
   if (stage_ == Stage::within) watch_.observe_probes(view.probe_values());
 }

@@ -30,6 +30,7 @@ class Cycles final : public Observer {
   Reaction step(StepView& view) override;
   Reaction segment(StepView& view) override;
   void jump(StepView& view) override;
+  void state(StepView& view) override;
   void output(StepView& view) override;
   void change(RunState& state) override;
   bool may_go_back() const override { return jumps_ && jumps_->is_checking(); }

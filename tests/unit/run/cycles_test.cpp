@@ -56,6 +56,18 @@ TEST(Cycles, AreReportedOneByOne) {
   EXPECT_NEAR(history.at("pressure", 5.5), relaxed_pressure(0.6 * 5 + 0.45), 1e-5);
 }
 
+/// A probe whose extremes lie between the breakpoints of the cycle.
+TEST(Cycles, HaveTheExtremesOfAllSteps) {
+  const Case blocks;
+  const std::string hump = "[[probes]]\nname = \"hump\"\nexpression = \"(t - floor(t))*(1 - t + floor(t))\"\n";
+  const config::Config config =
+      blocks.config(hot_and_cold() + hump,
+                    in_cycles({"time.end=2", "time.output=[]", "time.integrator=explicit_euler", "time.step=0.02"}));
+  summary_of_cycles(config, blocks / "out");
+  const Table cycles(blocks / "out" / "cycles.csv");
+  for (const double k : {1.0, 2.0}) EXPECT_NEAR(cycles.at("hump_max", k), 0.25, 5e-4);
+}
+
 TEST(Cycles, ASteadyOneEndsTheRun) {
   const Case blocks;
   const config::Config config =
