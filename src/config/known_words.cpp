@@ -30,7 +30,7 @@ constexpr std::array words{
               "a linear equation between displacements is an entry of 'equations'"},
     KnownWord{"", "rigid_bodies rigid_body rigid_surfaces", "a surface that moves as a rigid body is 'rigid'"},
     KnownWord{"", "residual_stress residual_stresses prestress initial_conditions",
-              "stress before the loads act is [initial_stress.<body>]"},
+              "stress before the loads act is 'initial_stress'"},
     KnownWord{"", "criterion requirements requirement limits acceptance", "what a run is judged by are 'criteria'"},
     KnownWord{"", "event", "conditions on probes are 'events'"},
     KnownWord{"", "restart resume",
