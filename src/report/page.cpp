@@ -12,6 +12,9 @@ void open_page(const std::string& title, Html& page) {
   page.raw(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      // Whatever a page may have become by a mistake here: it loads nothing and sends nothing.
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
+      "'unsafe-inline'; script-src 'unsafe-inline'; base-uri 'none'; form-action 'none'\">\n"
       "<meta name=\"generator\" content=\"creepcontact " CREEPCONTACT_VERSION "\">\n");
   page.element("title", title);
   page.raw("<style>\n");
@@ -29,11 +32,15 @@ void close_page(Html& page) {
   page.raw("</body>\n</html>\n");
 }
 
-void write_page(const std::filesystem::path& file, const std::string& text, const char* option) {
+void make_parent_directory(const std::filesystem::path& file, const char* option) {
   std::error_code failure;
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), failure);
   if (failure)
     throw ConfigError(fmt::format("{}: directory {}: {}", option, file.parent_path().string(), failure.message()));
+}
+
+void write_page(const std::filesystem::path& file, const std::string& text, const char* option) {
+  make_parent_directory(file, option);
   platform::replace_file(file, text);
 }
 

@@ -12,6 +12,8 @@ namespace creepcontact::report {
 void open_page(const std::string& title, Html& page);
 /// The script, and the end.
 void close_page(Html& page);
+/// Makes the directory of a file. @throws ConfigError with the option and the reason
+void make_parent_directory(const std::filesystem::path& file, const char* option);
 /// @param option  of the command line that names the file, for messages
 void write_page(const std::filesystem::path& file, const std::string& text, const char* option);
 

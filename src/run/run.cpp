@@ -141,7 +141,8 @@ class OutputDirectory {
         earlier_warnings_ = earlier->warnings;
       std::error_code ignored;  // there may be none; that of an earlier run would speak for this one
       if (!options.resume)
-        for (const char* file : {"summary.json", "model.json"}) std::filesystem::remove(path_ / file, ignored);
+        for (const char* file : {"summary.json", "model.json", "model_view.json"})
+          std::filesystem::remove(path_ / file, ignored);
     });
   }
   /// @throws ConfigError if it cannot be made

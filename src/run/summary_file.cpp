@@ -3,13 +3,28 @@
 #include <numeric>
 #include <utility>
 
+#include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
+#include "creepcontact/base/log.hpp"
 #include "creepcontact/linalg/blas_library.hpp"
 #include "creepcontact/platform/memory.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 #include "model_record.hpp"
+#include "model_view.hpp"
 
 namespace creepcontact::run {
 namespace {
+
+/// The words of [report] may have changed since the run began; what it computes has not.
+void renew_report(const std::filesystem::path& file, const config::Config& config) {
+  try {
+    io::ModelRecord record = io::read_model_record(file);
+    record.report = recorded_report(config);
+    io::write_model_record(file, record);
+  } catch (const ConfigError& error) {
+    log::warning("the report keeps its former texts: {}", error.what());
+  }
+}
 
 io::Summary::WallSeconds wall_seconds(const Stopwatch& watch) {
   const PartSeconds parts = watch.seconds();
@@ -26,13 +41,19 @@ SummaryFile::SummaryFile(const RunContext& context, const ObserverList& observer
       earlier_warnings_(std::move(earlier_warnings)),
       warnings_(warnings),
       describe_loop_(std::move(describe_loop)),
-      has_model_record_(context.resumed != nullptr && path_exists(context.directory / "model.json")) {}
+      has_model_record_(context.resumed != nullptr && path_exists(context.directory / "model.json")) {
+  together(context.team(), [&] {
+    if (has_model_record_ && context.observed.is_root()) renew_report(context.directory / "model.json", context.config);
+  });
+}
 
 void SummaryFile::output(StepView& /*view*/) {
   together(context_.team(), [&] {
-    if (!std::exchange(has_model_record_, true) && context_.observed.is_root())
-      io::write_model_record(context_.directory / "model.json",
-                             model_record(context_.config, context_.model, make(Status::completed, "").results));
+    if (std::exchange(has_model_record_, true) || !context_.observed.is_root()) return;
+    io::write_model_record(context_.directory / "model.json",
+                           model_record(context_.config, context_.model, make(Status::completed, "").results));
+    if (const std::string job = model_picture_job(context_.config, context_.model); !job.empty())
+      platform::replace_file(context_.directory / "model_view.json", job, platform::Durable::when_synced);
   });
   const Clock::time_point now = Clock::now();
   if (!context_.team().any(!last_ || now - *last_ >= std::chrono::seconds(1))) return;
