@@ -56,11 +56,11 @@ std::vector<std::string> sentences(const RunData& run) {
       all.push_back(fmt::format("Contact {} {}.", name, opening));
   }
   if (summary.heat && summary.heat->loop_gain) {
-    const auto [gain, time] = *summary.heat->loop_gain;
+    const auto [gain, at] = *summary.heat->loop_gain;
     all.push_back(fmt::format(
         "Of a change of temperature at most {} comes back through pressure and conductance of the contacts (t = "
         "{}){}.",
-        engineering(gain, 2), time_text(time, run.unit(Dimension::time)),
+        engineering(gain, 2), time_text(at, time),
         gain > 1 ? ": the joint is unstable there, and loses or gains its pressure at the speed of heat" : ""));
   }
   if (summary.heat)

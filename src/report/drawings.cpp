@@ -13,6 +13,7 @@
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/plot/vtk_process.hpp"
 #include "creepcontact/report/picture.hpp"
+#include "engineering.hpp"
 #include "thinning.hpp"
 
 namespace creepcontact::report {
@@ -26,8 +27,28 @@ void Drawings::note(const std::string& sentence) {
   if (std::ranges::find(notes_, sentence) == notes_.end()) notes_.push_back(sentence);
 }
 
+namespace {
+
+/// Gives the values of a panel whose label ends with a unit, "force (N)", the prefix that fits them.
+void scale(plot::Panel& panel) {
+  std::string& label = panel.y.label;
+  if (label.empty() || (label.back() != ')' && label.back() != ']')) return;
+  const std::size_t open = label.rfind(label.back() == ')' ? '(' : '[');
+  if (open == std::string::npos) return;
+  std::vector<double> all;
+  for (const plot::Series& series : panel.series) all.insert(all.end(), series.y.begin(), series.y.end());
+  const Scale found(label.substr(open + 1, label.size() - open - 2), all);
+  if (found.factor() == 1) return;
+  label.replace(open + 1, label.size() - open - 2, found.unit());
+  for (plot::Series& series : panel.series)
+    for (double& value : series.y) value *= found.factor();
+}
+
+}  // namespace
+
 void Drawings::add(plot::Figure figure, const std::string& caption, Html& page) {
   figure.title.clear();
+  for (plot::Panel& panel : figure.panels) scale(panel);
   for (plot::Panel& panel : figure.panels)
     for (plot::Series& series : panel.series) series = thinned(series, figure.x.logarithmic);
   try {

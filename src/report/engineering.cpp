@@ -156,9 +156,17 @@ std::string readable(const std::string& cell) {
   if (failure != std::errc() || (after != end && *after != ' ')) return cell;
   const std::string_view number(begin, after);
   const std::size_t e = number.find_first_of("eE");
-  if (e == std::string_view::npos) return cell;
-  const auto figures = std::ranges::count_if(number.substr(0, e), [](char c) { return c >= '0' && c <= '9'; });
-  return engineering(value, static_cast<int>(std::max<std::ptrdiff_t>(figures, 1))) + std::string(after, end);
+  if (e != std::string_view::npos) {
+    const auto figures = std::ranges::count_if(number.substr(0, e), [](char c) { return c >= '0' && c <= '9'; });
+    return engineering(value, static_cast<int>(std::max<std::ptrdiff_t>(figures, 1))) + std::string(after, end);
+  }
+  // Small numbers may be of a name or a year.
+  constexpr std::size_t large = 5;
+  const std::size_t first = number.find_first_of("0123456789"),
+                    whole = std::min(number.find_first_not_of("0123456789", first), number.size()) - first;
+  if (first == std::string_view::npos || whole < large) return cell;
+  return std::string(number.substr(0, first)) + grouped(std::string(number.substr(first, whole))) +
+         cell.substr(first + whole);
 }
 
 bool is_number_text(std::string_view cell) {

@@ -20,6 +20,8 @@ class Scale {
   const std::string& unit() const { return unit_; }
   /// "160"; "0" for round-off, "-" for what is not finite.
   std::string text(double value) const;
+  /// From numbers of the results to those shown.
+  double factor() const { return factor_; }
   /// "160 kN"
   std::string with_unit(double value) const;
 

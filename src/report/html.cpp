@@ -51,7 +51,9 @@ void Html::table(const std::vector<std::string>& head, const std::vector<std::ve
   for (const std::vector<std::string>& row : rows)
     for (std::size_t c = 0; c < numbers.size(); ++c)
       numbers[c] = numbers[c] && c < row.size() && is_number_text(row[c]);
-  const auto alignment = [&](std::size_t c) { return c < numbers.size() && numbers[c] ? "class=\"number\"" : ""; };
+  const auto alignment = [&](std::size_t c) {
+    return c > 0 && c < numbers.size() && numbers[c] ? "class=\"number\"" : "";
+  };
   // Boxes that scroll must be reached by the keyboard.
   open("div", "class=\"table\" tabindex=\"0\" role=\"group\" aria-label=\"" +
                   escaped(caption.empty() ? "table" : caption) + "\"");

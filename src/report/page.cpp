@@ -8,14 +8,16 @@
 
 namespace creepcontact::report {
 
-void open_page(const std::string& title, Html& page) {
+void open_page(const std::string& title, Html& page, Script script) {
   page.raw(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      // Whatever a page may have become by a mistake here: it loads nothing and sends nothing.
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
-      "'unsafe-inline'; script-src 'unsafe-inline'; base-uri 'none'; form-action 'none'\">\n"
       "<meta name=\"generator\" content=\"creepcontact " CREEPCONTACT_VERSION "\">\n");
+  // Whatever a page may have become by a mistake here: it loads nothing and sends nothing.
+  page.raw(
+      fmt::format("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
+                  "'unsafe-inline'; script-src {}; base-uri 'none'; form-action 'none'\">\n",
+                  script == Script::embedded ? "'unsafe-inline'" : "'none'"));
   page.element("title", title);
   page.raw("<style>\n");
   page.raw(report_style());
@@ -23,8 +25,8 @@ void open_page(const std::string& title, Html& page) {
   page.raw("</style>\n</head>\n<body>\n");
 }
 
-void close_page(Html& page) {
-  if (!viewer_script().empty()) {
+void close_page(Html& page, Script script) {
+  if (script == Script::embedded && !viewer_script().empty()) {
     page.raw("<script>\n");
     page.raw(viewer_script());
     page.raw("\n</script>\n");

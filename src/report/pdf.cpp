@@ -31,7 +31,7 @@ std::filesystem::path browser() {
       "report without --pdf, open it in any browser, and print it to a file");
 }
 
-/// Without script, network or settings of the user's, and with all that it writes in `place`.
+/// Without network or settings of the user's, and with all that it writes in `place`.
 std::vector<std::string> arguments_for(const std::filesystem::path& page, const std::filesystem::path& pdf,
                                        const std::filesystem::path& place) {
   std::vector<std::string> all{"--headless",
@@ -45,7 +45,6 @@ std::vector<std::string> arguments_for(const std::filesystem::path& page, const 
                                "--no-default-browser-check",
                                "--host-resolver-rules=MAP * ~NOTFOUND",
                                "--proxy-server=127.0.0.1:9",
-                               "--blink-settings=scriptEnabled=false",
                                "--no-pdf-header-footer",
                                "--user-data-dir=" + (place / "profile").string(),
                                "--crash-dumps-dir=" + place.string(),

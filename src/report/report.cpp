@@ -106,7 +106,7 @@ bool has_appendix(const std::vector<RunData>& runs) {
   return runs.front().record.report.appendix;
 }
 
-void add_one(const RunData& run, Drawings& drawings, Html& page, Parts& parts) {
+void add_one(const RunData& run, Script script, Drawings& drawings, Html& page, Parts& parts) {
   if (const std::string text = ending(run); !text.empty()) page.element("p", text, "class=\"ending\" role=\"note\"");
   parts.add_if_any("question", "Question", [&] { add_question({run}, page); });
   parts.add_if_any("criteria", "Criteria", [&] { add_criteria(run, page); });
@@ -115,15 +115,15 @@ void add_one(const RunData& run, Drawings& drawings, Html& page, Parts& parts) {
   parts.add_if_any("cycles", "Cycles", [&] { add_cycles(run, drawings, page); });
   parts.add("pictures", "Pictures", [&] {
     add_fields(run, drawings, page);
-    add_viewer(run, 1, page);
+    if (script == Script::embedded) add_viewer(run, 1, page);
   });
   parts.add("inputs", "Inputs", [&] { add_inputs(run, {}, drawings, page); });
   parts.add("accuracy", "Accuracy", [&] { add_accuracy(run, page); });
   if (has_appendix({run})) parts.add("appendix", "Appendix", [&] { add_appendix(run, drawings, page); });
 }
 
-void add_several(const std::vector<RunData>& runs, const std::vector<InputDifference>& differences, Drawings& drawings,
-                 Html& page, Parts& parts) {
+void add_several(const std::vector<RunData>& runs, const std::vector<InputDifference>& differences, Script script,
+                 Drawings& drawings, Html& page, Parts& parts) {
   parts.add_if_any("question", "Question", [&] { add_question(runs, page); });
   parts.add_if_any("criteria", "Criteria", [&] { add_criteria(runs, page); });
   parts.add("differences", "What differs", [&] { add_differences(differences, runs, page); });
@@ -135,7 +135,8 @@ void add_several(const std::vector<RunData>& runs, const std::vector<InputDiffer
   });
   parts.add("pictures", "Pictures", [&] {
     add_compared_pictures(runs, drawings, page);
-    for (std::size_t i = 0; i < std::min(runs.size(), most_views); ++i) add_viewer(runs[i], i + 1, page);
+    for (std::size_t i = 0; script == Script::embedded && i < std::min(runs.size(), most_views); ++i)
+      add_viewer(runs[i], i + 1, page);
   });
   parts.add("inputs", "Inputs", [&] {
     add_inputs(runs.front(), {runs.begin() + 1, runs.end()}, drawings, page);
@@ -192,16 +193,17 @@ WrittenReport write_report(const std::vector<std::filesystem::path>& given, cons
   if (title.empty() && given.size() == 1) title = title_of_study(given.front());
   if (title.empty()) title = fmt::format("Comparison of {} runs", runs.size());
 
+  const Script script = options.pdf ? Script::none : Script::embedded;
   Drawings drawings;
   Html body;
   Parts parts(body);
   if (is_alone)
-    add_one(runs.front(), drawings, body, parts);
+    add_one(runs.front(), script, drawings, body, parts);
   else
-    add_several(runs, differences, drawings, body, parts);
+    add_several(runs, differences, script, drawings, body, parts);
 
   Html page;
-  open_page(title, page);
+  open_page(title, page, script);
   const std::string logo_note = add_title_block(runs, title, page);
   WrittenReport report{output_file(given, options), 0, {}};
   for (const RunData& run : runs)
@@ -217,7 +219,7 @@ WrittenReport write_report(const std::vector<std::filesystem::path>& given, cons
   add_figures(body, page);
   add_missing(report.notes, page);
   page.close("main");
-  close_page(page);
+  close_page(page, script);
   if (options.pdf)
     report.megabytes = print_pdf(page.text(), report.file);
   else

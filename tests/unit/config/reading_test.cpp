@@ -270,11 +270,12 @@ TEST(ReadingReport, Mistakes) {
   const auto mistake = [](const std::string& line, std::initializer_list<std::string_view> facts) {
     expect_mistake(minimal + "[report]\n" + line + "\n", facts);
   };
-  mistake("logo = \"missing.png\"", {":13:", "report.logo", "missing.png"});
-  mistake("pictures = [{ field = \"stress_thets\" }]", {":13:", "report.pictures", "stress_thets", "stress_theta"});
-  mistake("pictures = [{ field = \"mesh\", view = \"top\" }]", {":13:", "view", "top", "iso"});
-  mistake("pictures = [{ field = \"mesh\", range = [2, 1] }]", {":13:", "range"});
-  mistake("pictures = [{ field = \"mesh\", section = { normal = [0, 0, 0] } }]", {":13:", "normal"});
+  mistake("logo = \"missing.png\"", {"cases/block.toml:13:", "report.logo", "missing.png"});
+  mistake("pictures = [{ field = \"stress_thets\" }]",
+          {"cases/block.toml:13:", "report.pictures", "stress_thets", "stress_theta"});
+  mistake("pictures = [{ field = \"mesh\", view = \"top\" }]", {"cases/block.toml:13:", "view", "top", "iso"});
+  mistake("pictures = [{ field = \"mesh\", range = [2, 1] }]", {"cases/block.toml:13:", "range"});
+  mistake("pictures = [{ field = \"mesh\", section = { normal = [0, 0, 0] } }]", {"cases/block.toml:13:", "normal"});
 }
 
 }  // namespace

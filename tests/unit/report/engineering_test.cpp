@@ -48,7 +48,7 @@ TEST(Engineering, OneScaleForAColumn) {
   EXPECT_EQ(plain(quantity(210000, "MPa")), "210 GPa");
   EXPECT_EQ(plain(quantity(3e8, "Pa")), "300 MPa");
   EXPECT_EQ(plain(quantity(2e-4, "mm")), "0.2 µm");
-  EXPECT_EQ(plain(quantity(5e6, "N·mm")), "5 MN·mm");
+  EXPECT_EQ(plain(quantity(5e6, "N·mm")), "5 000 kN·mm");
   EXPECT_EQ(plain(quantity(5e6, "psi")), "5 000 000 psi");
   EXPECT_EQ(quantity(0, "N"), "0\u00A0N");
 }
@@ -68,6 +68,8 @@ TEST(Engineering, CellsOfInputsKeepTheirFigures) {
   EXPECT_EQ(plain(readable("1.6e+05 N")), "160 000 N");
   EXPECT_EQ(plain(readable("1.23457e+06")), "1 234 570");
   EXPECT_EQ(readable("1e-20"), "1·10⁻²⁰");
+  EXPECT_EQ(plain(readable("231725.25 mm")), "231 725.25 mm");
+  EXPECT_EQ(plain(readable("-100000")), "-100 000");
   for (const char* same : {"1.2345", "2e5*t", "disc", "", "0.1 mm", "1e5 at 0, 2e5 at 1"}) {
     const std::string cell = same;
     EXPECT_EQ(readable(cell), cell == "1e5 at 0, 2e5 at 1" ? "100\u202F000 at 0, 2e5 at 1" : cell);
