@@ -80,7 +80,7 @@ Value<Config> config_table(const Vocabulary& vocabulary) {
       field<Config>("time", &Config::time, time_table(vocabulary), "time integration", Presence::required).changeable(),
       field<Config>("output", &Config::output, output_table(), "which results are written, and where").changeable(),
       field<Config>("report", &Config::report, report_table(vocabulary),
-                    "what a report says besides the results; the run copies it into its output directory")
+                    "what a report says next to the results; the run copies it into its output directory")
           .changeable(),
       field<Config>("probes", &Config::probes, tables(probe_table(vocabulary)), "columns of `history.csv`"),
       field<Config>("events", &Config::events, tables(event_table()),

@@ -23,7 +23,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 using Value = std::function<double(const io::Summary&)>;
 
-/// A table whose columns are runs. Of many runs there are several tables below each other.
+/// A table whose columns are runs. Many runs make several tables below each other.
 class RunTable {
  public:
   RunTable(const std::vector<RunData>& runs, std::string first) : runs_(runs), first_(std::move(first)) {}
@@ -56,6 +56,18 @@ class RunTable {
       for (const double value : values[r]) cells.push_back(scale.text(value));
       add_texts(labelled(rows[r].first, scale.unit()), std::move(cells));
     }
+  }
+  /// Two numbers per cell, all in a common unit.
+  void add_pairs(const std::string& name, const Value& first, const Value& second, const std::string& unit,
+                 const char* between) {
+    std::vector<double> all;
+    for (const RunData& run : runs_)
+      for (const Value* value : {&first, &second}) all.push_back(run.summary ? (*value)(*run.summary) : none);
+    const Scale scale(unit, all);
+    std::vector<std::string> cells;
+    for (std::size_t r = 0; r < runs_.size(); ++r)
+      cells.push_back(std::isnan(all[2 * r]) ? "-" : scale.text(all[2 * r]) + between + scale.text(all[2 * r + 1]));
+    add_texts(labelled(name, scale.unit()), std::move(cells));
   }
   void add_shares(const std::string& name, const Value& value) {
     add_texts(name, [&](const RunData& run) { return run.summary ? percent(value(*run.summary)) : "-"; });
@@ -118,11 +130,8 @@ void add_probes(const std::vector<RunData>& runs, RunTable& table) {
       if (run.summary && unit.empty())
         if (const auto found = run.summary->probes.find(name); found != run.summary->probes.end())
           unit = found->second.unit.value_or("");
-    table.add({{name + ", start", of(&Course::start)},
-               {name + ", end", of(&Course::end)},
-               {name + ", smallest", of(&Course::min)},
-               {name + ", largest", of(&Course::max)}},
-              unit);
+    table.add_pairs(name + ", start → end", of(&Course::start), of(&Course::end), unit, " → ");
+    table.add_pairs(name + ", smallest … largest", of(&Course::min), of(&Course::max), unit, " … ");
   }
 }
 

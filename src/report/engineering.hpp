@@ -16,7 +16,7 @@ class Scale {
   ///   1e-9 of the largest is round-off
   Scale(const std::string& unit, std::span<const double> values);
 
-  /// Of the numbers shown: "kN".
+  /// Unit of the numbers shown: "kN".
   const std::string& unit() const { return unit_; }
   /// "160"; "0" for round-off, "-" for what is not finite.
   std::string text(double value) const;

@@ -68,7 +68,7 @@ double print_pdf(const std::string& page, const std::filesystem::path& file) {
                               messages = place.path() / "messages.txt";
   platform::replace_file(html, page);
   const int log = platform::create_file(messages);
-  // What it keeps besides the profile goes where its home is.
+  // What it keeps next to the profile goes where its home is.
   std::vector<std::string> words{"HOME=" + place.path().string(), "XDG_CONFIG_HOME=" + place.path().string(),
                                  "XDG_CACHE_HOME=" + place.path().string(), program.string()};
   for (std::string& argument : arguments_for(html, pdf, place.path())) words.push_back(std::move(argument));

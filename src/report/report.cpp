@@ -43,7 +43,7 @@ class Parts {
     content();
     page_.close("section");
   }
-  /// Of a section that opens itself, or does not. @param content  adds it
+  /// An entry for a section that opens itself, or for none. @param content  adds it
   void add_if_any(const char* id, const char* title, const std::function<void()>& content) {
     const std::size_t before = page_.text().size();
     content();

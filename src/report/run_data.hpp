@@ -25,7 +25,7 @@ struct RunData {
 
   std::string title() const;
   std::string units() const;
-  /// Of a dimension, by the units of the run.
+  /// Unit of a dimension in this run.
   std::string unit(Dimension dimension) const { return unit_of(dimension, units()); }
 };
 

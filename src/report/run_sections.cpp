@@ -23,7 +23,7 @@ void add_stills(const std::vector<Drawings::Still>& stills, Html& page, const ch
   page.close("div");
 }
 
-/// The same cell of another run; null if it has none.
+/// Finds the same cell of another run. @returns null if it has none
 const std::string* cell_of(const io::ModelRecord& record, std::size_t section, std::size_t table, std::size_t row,
                            std::size_t column) {
   if (section >= record.sections.size() || table >= record.sections[section].tables.size()) return nullptr;
@@ -113,7 +113,8 @@ void add_inputs(const RunData& run, const std::vector<RunData>& others, Drawings
     if (!section.plots.empty()) page.close("div");
     if (s > 0) continue;
     add_stills(drawings.model(run), page, "model");
-    add_stills(drawings.meshes(run), page, "meshes");
+    // A comparison is about results: the model above has all bodies.
+    if (others.empty()) add_stills(drawings.meshes(run), page, "meshes");
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace creepcontact::report {
 
-/// Title, logo, project, drawing, revision, author, checker, dates. Of several runs what all have in common.
+/// Title, logo, project, drawing, revision, author, checker, dates. For several runs it has what all have in common.
 /// @returns a sentence on what is missing; empty: nothing
 std::string add_title_block(const std::vector<RunData>& runs, const std::string& title, Html& page);
 

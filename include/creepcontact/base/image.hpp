@@ -8,7 +8,7 @@
 
 namespace creepcontact {
 
-/// By the content: "image/png", "image/jpeg" or "image/svg+xml"; empty: none of these.
+/// The media type that the content has: "image/png", "image/jpeg" or "image/svg+xml"; empty: none of these.
 std::string image_type(std::string_view bytes);
 
 /// An image file, or why it is none.

@@ -534,7 +534,7 @@ struct ReportPicture {
   std::optional<Interval> range;        ///< of the colours; nullopt: that of the values shown
 };
 
-/// [report]: what a report says besides the results. The run copies it into its output.
+/// [report]: what a report says next to the results. The run copies it into its output.
 struct Report {
   std::string title, project, drawing, revision, author, checker;
   std::filesystem::path logo;                    ///< PNG, JPEG or SVG, relative to the working directory; may be empty
