@@ -237,6 +237,7 @@ Summary run(const config::Config& given, const RunOptions& options) {
     built.emplace(model::build_model(config));
     probes = results::make_probes(config, *built);  // errors in them show before anything is factored
     if (options.resume) finished.message = nothing_left(config, *built, directory.path());
+    if (!finished.message.empty() && team.rank() == 0) renew_report(directory.path(), config);
   });
   model::Model& model = *built;
   require_one_model(team, config, model);

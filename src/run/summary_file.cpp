@@ -15,8 +15,16 @@
 namespace creepcontact::run {
 namespace {
 
-/// The words of [report] may have changed since the run began; what it computes has not.
-void renew_report(const std::filesystem::path& file, const config::Config& config) {
+io::Summary::WallSeconds wall_seconds(const Stopwatch& watch) {
+  const PartSeconds parts = watch.seconds();
+  return {std::accumulate(parts.begin(), parts.end(), 0.0), parts};
+}
+
+}  // namespace
+
+void renew_report(const std::filesystem::path& directory, const config::Config& config) {
+  const std::filesystem::path file = directory / "model.json";
+  if (!path_exists(file)) return;
   try {
     io::ModelRecord record = io::read_model_record(file);
     record.report = recorded_report(config);
@@ -25,13 +33,6 @@ void renew_report(const std::filesystem::path& file, const config::Config& confi
     log::warning("the report keeps its former texts: {}", error.what());
   }
 }
-
-io::Summary::WallSeconds wall_seconds(const Stopwatch& watch) {
-  const PartSeconds parts = watch.seconds();
-  return {std::accumulate(parts.begin(), parts.end(), 0.0), parts};
-}
-
-}  // namespace
 
 SummaryFile::SummaryFile(const RunContext& context, const ObserverList& observers,
                          std::vector<std::string> earlier_warnings, const log::WarningRecord& warnings,
@@ -43,7 +44,7 @@ SummaryFile::SummaryFile(const RunContext& context, const ObserverList& observer
       describe_loop_(std::move(describe_loop)),
       has_model_record_(context.resumed != nullptr && path_exists(context.directory / "model.json")) {
   together(context.team(), [&] {
-    if (has_model_record_ && context.observed.is_root()) renew_report(context.directory / "model.json", context.config);
+    if (has_model_record_ && context.observed.is_root()) renew_report(context.directory, context.config);
   });
 }
 
