@@ -208,7 +208,9 @@ WrittenReport write_report(const std::vector<std::filesystem::path>& given, cons
   WrittenReport report{output_file(given, options), 0, {}};
   for (const RunData& run : runs)
     for (const std::string& note : run.notes)
-      report.notes.push_back(is_alone ? note : fmt::format("{}: {}", run.label, note));
+      // What the view leaves out is of no interest without it.
+      if (script == Script::embedded || !run.scene || note != run.scene->note)
+        report.notes.push_back(is_alone ? note : fmt::format("{}: {}", run.label, note));
   std::ranges::copy(drawings.notes(), std::back_inserter(report.notes));
   if (!logo_note.empty()) report.notes.push_back(logo_note);
   if (viewer_script().empty())

@@ -64,8 +64,7 @@ void add_fields(const RunData& run, Drawings& drawings, Html& page) {
   page.element("p",
                "Displacements are drawn larger by the factor shown, from the mesh as it was made. Bodies with an "
                "interference or a gap given in the configuration touch in the mesh; deformed they therefore appear "
-               "apart, or overlap, by that amount times the factor." +
-                   (run.scene->note.empty() ? "" : " " + run.scene->note),
+               "apart, or overlap, by that amount times the factor.",
                "class=\"about\"");
 }
 
@@ -74,7 +73,7 @@ void add_viewer(const RunData& run, std::size_t n, Html& page) {
   page.open("figure", fmt::format("class=\"fields\" id=\"fields-{}\"", n));
   page.raw(fmt::format("<div class=\"viewer\" data-scene=\"scene-{}\"></div>\n", n));
   page.element("noscript", "The interactive view needs JavaScript.");
-  page.element("figcaption", fmt::format("Interactive view of {}", run.label));
+  page.element("figcaption", fmt::format("Interactive view of {}. {}", run.label, run.scene->note));
   page.close("figure");
   const PackedScene scene = packed(*run.scene);
   page.raw(fmt::format("<script type=\"application/json\" id=\"scene-{}\">{}</script>\n", n, scene.header));

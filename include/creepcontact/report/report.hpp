@@ -19,8 +19,8 @@ struct WrittenReport {
   std::vector<std::string> notes = {};  ///< what is missing or was left out, a sentence each
 };
 
-/// One run, or several, compared. The directory of a study is replaced by those of its runs. A run that was interrupted or has
-/// failed is reported as far as it came.
+/// One run, or several, compared. The directory of a study is replaced by those of its runs. A run that was interrupted
+/// or has failed is reported as far as it came.
 /// @param runs  output directories, at least one.
 /// @throws ConfigError if one of them is not an output directory (saying what to name instead) or the file cannot be
 /// written; ModelError if field files are damaged; SolverError as ChildProcess.
