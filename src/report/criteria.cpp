@@ -112,7 +112,8 @@ void add_criteria(const RunData& run, Html& page) {
     page.element("th", name, "scope=\"row\"");
     cell(criterion.demand, "", page);
     cell(judged ? scale.with_unit(criterion.found) : "-", "number", page);
-    cell(judged ? (criterion.is_minimum ? "≥ " : "≤ ") + scale.with_unit(criterion.allowed) : "-", "number", page);
+    cell(judged ? (criterion.is_minimum ? "≥\u00a0" : "≤\u00a0") + scale.with_unit(criterion.allowed) : "-", "number",
+         page);
     cell(utilisation(criterion), "number", page);
     cell(judged ? time_text(criterion.time, "") : "-", "number", page);
     cell(judged && !where.empty() ? where : "-", "", page);

@@ -160,7 +160,8 @@ std::vector<Drawings::Still> Drawings::fields(const RunData& run) {
     }
     const bool on_contact = std::ranges::any_of(
         run.record.fields, [&](const Field& field) { return field.name == wanted.field && field.is_on_contact; });
-    Picture& picture = add(wanted.field, wanted.time.value_or(scene.times.back()), on_contact ? 0 : warp);
+    Picture& picture =
+        add(wanted.field, wanted.time.value_or(scene.times.back()), on_contact || wanted.field == "mesh" ? 0 : warp);
     picture.section = wanted.section;
     picture.range = wanted.range;
     if (std::ranges::count(views(), wanted.view) > 0) picture.view = wanted.view;
