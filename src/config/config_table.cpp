@@ -79,6 +79,9 @@ Value<Config> config_table(const Vocabulary& vocabulary) {
           .changeable(),
       field<Config>("time", &Config::time, time_table(vocabulary), "time integration", Presence::required).changeable(),
       field<Config>("output", &Config::output, output_table(), "which results are written, and where").changeable(),
+      field<Config>("report", &Config::report, report_table(vocabulary),
+                    "what a report says next to the results; the run copies it into its output directory")
+          .changeable(),
       field<Config>("probes", &Config::probes, tables(probe_table(vocabulary)), "columns of `history.csv`"),
       field<Config>("events", &Config::events, tables(event_table()),
                     "times at which conditions on probes first hold, for `summary.json` and plots"),

@@ -46,6 +46,7 @@ Value<ContactSolver> contact_solver_table();
 Value<settings::StiffnessSettings> linear_solver_table();
 Value<Time> time_table(const Vocabulary& vocabulary);
 Value<Output> output_table();
+Value<Report> report_table(const Vocabulary& vocabulary);
 Value<Probe> probe_table(const Vocabulary& vocabulary);
 Value<Event> event_table();
 Value<Criterion> criterion_table(const Vocabulary& vocabulary);

@@ -7,7 +7,8 @@ JOBS is a JSON file with a list of pictures. Each has "kind", "output": .png, "t
 Of kind "field", and of kind "mesh", which colours the bodies instead: {"file": .vtu, "contact_file": .vtu of the contact surfaces if
 the field is theirs, else "", "width", "height", "unit", "array", "component" (-1: magnitude), "ticks": numbers at the colours, which
 range from the first to the last, "displacement": name of the array or "", "warp": factor, "bodies": numbers of the bodies shown, empty
-for all, "colours": [[position, red, green, blue], ...], "view": "iso", "x", "-x", "y", "-y", "z" or "-z"}.
+for all, "colours": [[position, red, green, blue], ...], "view": "iso", "x", "-x", "y", "-y", "z" or "-z", "section": null or a point of a plane
+and its normal, towards what is cut away}.
 
 Of kind "model", bodies with marks on them: {"bodies" and "marks": [[name, [red, green, blue], width of lines], ...], "points":
 [[x, y, z], ...], "facets" and "lines": [[body, mark or -1, point, point, ...], ...], "ticks": numbers along x and along y (sections),
@@ -110,6 +111,20 @@ def deformed(source, job):
     return warp
 
 
+def cut(source, job):
+    """The part behind the plane of the section."""
+    if not job["section"]:
+        return source
+    plane = vtk.vtkPlane()
+    plane.SetOrigin(*job["section"][:3])
+    plane.SetNormal(*job["section"][3:])
+    clip = vtk.vtkClipDataSet()
+    clip.SetInputConnection(source.GetOutputPort())
+    clip.SetClipFunction(plane)
+    clip.InsideOutOn()
+    return clip
+
+
 def lines_of(grid):
     """The edges of sections in contact as lines: VTK 9.1 crashes where it is to divide quadratic ones itself."""
     cells = vtk.vtkCellArray()
@@ -210,7 +225,7 @@ def add_bodies(renderer, grid, job, table):
             threshold.SetLowerThreshold(body - 0.5)
             threshold.SetUpperThreshold(body + 0.5)
             threshold.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_BETWEEN)
-        source = deformed(threshold, job)
+        source = deformed(cut(threshold, job), job)
         if job["contact_file"]:
             add_surface(renderer, source, job, None, NO_VALUE).SetOpacity(0.10)
             add_outlines(renderer, source)

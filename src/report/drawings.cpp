@@ -4,11 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
-#include "base64.hpp"
+#include "creepcontact/base/base64.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
+#include "creepcontact/plot/vtk_process.hpp"
 #include "creepcontact/report/picture.hpp"
+#include "engineering.hpp"
+#include "thinning.hpp"
 
 namespace creepcontact::report {
 namespace {
@@ -21,9 +27,32 @@ void Drawings::note(const std::string& sentence) {
   if (std::ranges::find(notes_, sentence) == notes_.end()) notes_.push_back(sentence);
 }
 
-void Drawings::add(const plot::Figure& figure, const std::string& alternative, Html& page) {
+namespace {
+
+/// Gives the values of a panel whose label ends with a unit, "force (N)", the prefix that fits them.
+void scale(plot::Panel& panel) {
+  std::string& label = panel.y.label;
+  if (label.empty() || (label.back() != ')' && label.back() != ']')) return;
+  const std::size_t open = label.rfind(label.back() == ')' ? '(' : '[');
+  if (open == std::string::npos) return;
+  std::vector<double> all;
+  for (const plot::Series& series : panel.series) all.insert(all.end(), series.y.begin(), series.y.end());
+  const Scale found(label.substr(open + 1, label.size() - open - 2), all);
+  if (found.factor() == 1) return;
+  label.replace(open + 1, label.size() - open - 2, found.unit());
+  for (plot::Series& series : panel.series)
+    for (double& value : series.y) value *= found.factor();
+}
+
+}  // namespace
+
+void Drawings::add(plot::Figure figure, const std::string& caption, Html& page) {
+  figure.title.clear();
+  for (plot::Panel& panel : figure.panels) scale(panel);
+  for (plot::Panel& panel : figure.panels)
+    for (plot::Series& series : panel.series) series = thinned(series, figure.x.logarithmic);
   try {
-    page.image(data_url("image/svg+xml", plot::svg(figure, directory_.path())), alternative);
+    page.figure(data_url("image/svg+xml", plot::svg(figure, directory_.path())), caption, caption);
   } catch (const ConfigError& error) {
     note(fmt::format("There are no plots: {}.", error.what()));
   }
@@ -31,14 +60,15 @@ void Drawings::add(const plot::Figure& figure, const std::string& alternative, H
 
 void Drawings::add(const io::RecordedPlot& given, Html& page) {
   plot::Figure figure;
-  figure.title = given.title;
-  figure.x = {given.x_label, given.log_x};
+  figure.x = {.label = given.x_label, .logarithmic = given.log_x};
   figure.panels.push_back({{given.y_label, given.log_y}, {}});
   for (const io::RecordedCurve& curve : given.curves)
-    if (figure.panels[0].series.size() < plot::max_series && !curve.x.empty())
+    if (figure.panels[0].series.size() < plot::max_series && !curve.x.empty()) {
       figure.panels[0].series.push_back({curve.name, curve.x, curve.y});
+      if (begins_fast(curve.x, curve.y)) figure.x.logarithmic = figure.x.zero_at_left = true;
+    }
   if (!figure.panels[0].series.empty())
-    add(figure, fmt::format("{}: {} over {}", given.title, given.y_label, given.x_label), page);
+    add(std::move(figure), fmt::format("{}: {} over {}", given.title, given.y_label, given.x_label), page);
 }
 
 std::vector<Drawings::Still> Drawings::stills(const RunData& run, const std::vector<Picture>& pictures) {
@@ -46,13 +76,32 @@ std::vector<Drawings::Still> Drawings::stills(const RunData& run, const std::vec
   try {
     const std::vector<DrawnPicture> drawn = draw_pictures(run.directory, pictures);
     for (std::size_t i = 0; i < drawn.size(); ++i)
-      result.push_back({data_url("image/png", read_file(drawn[i].file).bytes), drawn[i].title,
-                        pictures[i].field == "contact_pressure"});
+      result.push_back({data_url("image/png", read_file(drawn[i].file).bytes), drawn[i].title});
   } catch (const Error& error) {
     note(fmt::format("There are no still pictures of the bodies: {}.", error.what()));
     result.clear();
   }
   return result;
+}
+
+std::vector<Drawings::Still> Drawings::model(const RunData& run) {
+  constexpr std::size_t longest = std::size_t{64} << 20;
+  const std::filesystem::path file = run.directory / "model_view.json";
+  if (!path_exists(file)) return {};
+  // Whose directory this is, is not known: of the job that it has, only data are taken.
+  const FileBytes found = read_file(file, longest);
+  nlohmann::json jobs = nlohmann::json::parse(found.bytes, nullptr, false);
+  if (!jobs.is_array() || jobs.size() != 1 || !jobs[0].is_object()) return {};
+  const std::filesystem::path picture = directory_.path() / "model.png";
+  jobs[0]["kind"] = "model";
+  jobs[0]["output"] = picture.string();
+  try {
+    plot::draw_by_vtk(jobs.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), directory_.path());
+    return {{data_url("image/png", read_file(picture).bytes), "Model with its supports, loads and contacts"}};
+  } catch (const Error& error) {
+    note(fmt::format("There is no picture of the model: {}.", error.what()));
+    return {};
+  }
 }
 
 std::vector<Drawings::Still> Drawings::meshes(const RunData& run) {
@@ -77,30 +126,87 @@ std::vector<Drawings::Still> Drawings::meshes(const RunData& run) {
   return result;
 }
 
+namespace {
+
+bool has_field(const RunData& run, const std::string& name) {
+  const auto is_it = [&](const Field& field) { return field.name == name; };
+  return std::ranges::any_of(run.record.fields, is_it) || (run.scene && std::ranges::any_of(run.scene->fields, is_it));
+}
+
+std::string main_field(const RunData& run) {
+  return has_field(run, "von_mises") ? "von_mises" : run.scene->fields.front().name;
+}
+
+}  // namespace
+
 std::vector<Drawings::Still> Drawings::fields(const RunData& run) {
   if (!run.scene || run.scene->fields.empty()) return {};
   const Scene& scene = *run.scene;
-  const auto known = [&](const char* name) {
-    return std::ranges::any_of(run.record.fields, [&](const Field& field) { return field.name == name; }) ||
-           std::ranges::any_of(scene.fields, [&](const Field& field) { return field.name == name; });
-  };
-  std::vector<Picture> pictures;
-  const auto add = [&](const std::string& field, double time, double warp) {
-    pictures.push_back({.field = field,
-                        .time = time,
-                        .warp = warp,
-                        .titled = false,
-                        .width = 1000,
-                        .height = 700,
-                        .output = directory_.path() / fmt::format("field_{}.png", ++n_drawn_)});
-  };
-  const std::string main = known("von_mises") ? "von_mises" : scene.fields.front().name;
   const double warp = suggested_warp(scene);
-  add(main, scene.times.front(), warp);
-  if (scene.times.size() > 1) add(main, scene.times.back(), warp);
-  if (path_exists(run.directory / "contact.pvd") && known("contact_pressure"))
+  std::vector<Picture> pictures;
+  const auto add = [&](const std::string& field, double time, double factor) -> Picture& {
+    return pictures.emplace_back(Picture{.field = field,
+                                         .time = time,
+                                         .warp = factor,
+                                         .titled = false,
+                                         .width = 1000,
+                                         .height = 700,
+                                         .output = directory_.path() / fmt::format("field_{}.png", ++n_drawn_)});
+  };
+  for (const io::RecordedPicture& wanted : run.record.report.pictures) {
+    if (wanted.field != "mesh" && !has_field(run, wanted.field)) {
+      note(fmt::format("The results have no field '{}', of which the configuration wants a picture.", wanted.field));
+      continue;
+    }
+    const bool on_contact = std::ranges::any_of(
+        run.record.fields, [&](const Field& field) { return field.name == wanted.field && field.is_on_contact; });
+    Picture& picture =
+        add(wanted.field, wanted.time.value_or(scene.times.back()), on_contact || wanted.field == "mesh" ? 0 : warp);
+    picture.section = wanted.section;
+    picture.range = wanted.range;
+    if (std::ranges::count(views(), wanted.view) > 0) picture.view = wanted.view;
+  }
+  if (!run.record.report.pictures.empty()) return stills(run, pictures);
+  add(main_field(run), scene.times.front(), warp);
+  if (scene.times.size() > 1) add(main_field(run), scene.times.back(), warp);
+  if (path_exists(run.directory / "contact.pvd") && has_field(run, "contact_pressure"))
     add("contact_pressure", scene.times.back(), 0);
   return stills(run, pictures);
+}
+
+std::vector<Drawings::Still> Drawings::compared(const std::vector<RunData>& runs) {
+  const auto has_scene = [](const RunData& run) { return run.scene && !run.scene->fields.empty(); };
+  const auto first = std::ranges::find_if(runs, has_scene);
+  if (first == runs.end()) return {};
+  const std::string field = main_field(*first);
+  std::optional<std::pair<double, double>> range;
+  for (const RunData& run : runs) {
+    if (!has_scene(run)) continue;
+    const auto shown = std::ranges::find(run.scene->fields, field, &Field::name);
+    if (shown == run.scene->fields.end()) continue;
+    for (const float value : run.scene->values[static_cast<std::size_t>(shown - run.scene->fields.begin())].back()) {
+      if (!std::isfinite(value)) continue;
+      const double v = value;
+      range = range ? std::pair(std::min(range->first, v), std::max(range->second, v)) : std::pair(v, v);
+    }
+  }
+  if (!range || !(range->first < range->second)) return {};
+  std::vector<Still> all;
+  for (const RunData& run : runs) {
+    if (!has_scene(run) || !has_field(run, field)) continue;
+    for (Still& still : stills(run, {{.field = field,
+                                    .time = run.scene->times.back(),
+                                    .warp = suggested_warp(*first->scene),
+                                    .range = range,
+                                    .titled = false,
+                                    .width = 700,
+                                    .height = 560,
+                                    .output = directory_.path() / fmt::format("field_{}.png", ++n_drawn_)}})) {
+      still.title = fmt::format("{}: {}", run.label, still.title);
+      all.push_back(std::move(still));
+    }
+  }
+  return all;
 }
 
 }  // namespace creepcontact::report

@@ -6,22 +6,9 @@
 #include <cstdlib>
 
 #include "creepcontact/base/utf8.hpp"
+#include "engineering.hpp"
 
 namespace creepcontact::report {
-namespace {
-
-/// Whether a cell is a number, maybe with a unit or a per cent sign.
-bool is_number(const std::string& cell) {
-  if (cell.empty() || cell == "-") return true;
-  char* end = nullptr;
-  std::strtod(cell.c_str(), &end);
-  if (end == cell.c_str()) return false;
-  const std::string rest(end);
-  return rest.empty() || rest == " %";
-}
-
-}  // namespace
-
 std::string escaped(std::string_view text) {
   std::string result;
   while (!text.empty()) {
@@ -62,8 +49,11 @@ void Html::table(const std::vector<std::string>& head, const std::vector<std::ve
                  std::string_view caption) {
   std::vector<bool> numbers(rows.empty() ? 0 : rows.front().size(), true);
   for (const std::vector<std::string>& row : rows)
-    for (std::size_t c = 0; c < numbers.size(); ++c) numbers[c] = numbers[c] && c < row.size() && is_number(row[c]);
-  const auto alignment = [&](std::size_t c) { return c < numbers.size() && numbers[c] ? "class=\"number\"" : ""; };
+    for (std::size_t c = 0; c < numbers.size(); ++c)
+      numbers[c] = numbers[c] && c < row.size() && is_number_text(row[c]);
+  const auto alignment = [&](std::size_t c) {
+    return c > 0 && c < numbers.size() && numbers[c] ? "class=\"number\"" : "";
+  };
   // Boxes that scroll must be reached by the keyboard.
   open("div", "class=\"table\" tabindex=\"0\" role=\"group\" aria-label=\"" +
                   escaped(caption.empty() ? "table" : caption) + "\"");
@@ -88,10 +78,11 @@ void Html::table(const std::vector<std::string>& head, const std::vector<std::ve
   close("div");
 }
 
-void Html::image(std::string_view url, std::string_view alternative, std::string_view caption) {
-  open("figure");
+void Html::figure(std::string_view url, std::string_view alternative, const std::string& caption) {
+  figures_.push_back(caption);
+  open("figure", fmt::format("id=\"figure-{}\"", figures_.size()));
   text_ += fmt::format("<img src=\"{}\" alt=\"{}\">\n", url, escaped(alternative));
-  if (!caption.empty()) element("figcaption", caption);
+  element("figcaption", fmt::format("Figure {}: {}", figures_.size(), caption));
   close("figure");
 }
 

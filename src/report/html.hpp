@@ -23,13 +23,17 @@ class Html {
   /// @param head  may be empty @param caption  may be empty
   void table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows,
              std::string_view caption = "");
-  /// <figure><img></figure> @param alternative  what is to be seen, for those who cannot
-  void image(std::string_view url, std::string_view alternative, std::string_view caption = "");
+  /// <figure><img></figure> with a number before its caption. @param alternative  what is to be seen, for those who
+  /// cannot
+  void figure(std::string_view url, std::string_view alternative, const std::string& caption);
+  /// Captions of the figures, in the order of their numbers from 1. Their ids are "figure-1" and so on.
+  const std::vector<std::string>& figures() const { return figures_; }
 
   const std::string& text() const { return text_; }
 
  private:
   std::string text_;
+  std::vector<std::string> figures_;
 };
 
 }  // namespace creepcontact::report

@@ -16,6 +16,8 @@
 #include "creepcontact/platform/replace_file.hpp"
 #include "creepcontact/plot/rounded_ticks.hpp"
 #include "creepcontact/plot/vtk_process.hpp"
+#include "creepcontact/settings/views.hpp"
+#include "engineering.hpp"
 #include "fields.hpp"
 #include "run_directory.hpp"
 #include "surfaces.hpp"
@@ -59,8 +61,8 @@ class Run {
     const bool is_mesh = picture.field == "mesh";
     const Field field = is_mesh ? Field{} : field_named(picture.field, fields_);
     drawn.title = is_mesh ? "Mesh" : capitalized(field.label);
-    if (!is_mesh || picture.warp != 0) drawn.title += fmt::format(" at t = {:.6g}{}", entry.time, time_unit());
-    if (picture.warp != 0) drawn.title += fmt::format(", deformation x {:.6g}", picture.warp);
+    if (!is_mesh || picture.warp != 0) drawn.title += " at t = " + time_text(entry.time, time_unit());
+    if (picture.warp != 0) drawn.title += ", deformation x " + engineering(picture.warp);
     const bool on_contact = field.is_on_contact && !contact_.empty();
     const std::filesystem::path& coloured = on_contact ? nearest(contact_, entry.time).file : entry.file;
     job = {{"kind", is_mesh ? "mesh" : "field"},
@@ -68,7 +70,7 @@ class Run {
            {"contact_file", on_contact ? std::filesystem::absolute(coloured).string() : ""},
            {"width", picture.width},
            {"height", picture.height},
-           {"title", picture.titled ? drawn.title : ""},
+           {"title", picture.titled ? with_plain_spaces(drawn.title) : ""},
            {"unit", field.unit},
            {"array", field.array},
            {"component", field.component},
@@ -78,7 +80,9 @@ class Run {
            {"bodies", Json::array()},
            {"colours", Json::parse(colours())},
            {"flat", flat_},
-           {"view", picture.view}};
+           {"view", picture.view},
+           {"section", picture.section ? Json(*picture.section) : Json()}};
+    if (picture.section) drawn.title += ", cut";
     for (const std::string& name : picture.bodies) {
       const auto found = std::ranges::find(bodies_, name);
       if (found == bodies_.end())
@@ -93,6 +97,13 @@ class Run {
   static std::string capitalized(std::string text) {
     // "von Mises" has its own capitals.
     if (!text.empty() && !text.starts_with("von ")) text[0] = static_cast<char>(std::toupper(text[0]));
+    return text;
+  }
+
+  /// The font of VTK has no others.
+  static std::string with_plain_spaces(std::string text) {
+    for (const std::string_view space : {"\u202F", "\u00A0"})
+      for (std::size_t at = 0; (at = text.find(space, at)) != std::string::npos;) text.replace(at, space.size(), " ");
     return text;
   }
 
@@ -112,10 +123,7 @@ class Run {
                                      [&](const io::FieldEntry& entry) { return std::abs(entry.time - *time); });
   }
 
-  std::string time_unit() const {
-    const std::string unit = unit_of(Dimension::time, units_);
-    return unit.empty() ? "" : " " + unit;
-  }
+  std::string time_unit() const { return unit_of(Dimension::time, units_); }
 
   std::filesystem::path directory_;
   std::vector<io::FieldEntry> entries_, contact_;
@@ -130,7 +138,7 @@ class Run {
 }  // namespace
 
 const std::vector<std::string>& views() {
-  static const std::vector<std::string> all{"iso", "x", "-x", "y", "-y", "z", "-z"};
+  static const std::vector<std::string> all(settings::views.begin(), settings::views.end());
   return all;
 }
 

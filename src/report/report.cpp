@@ -1,89 +1,182 @@
 #include "creepcontact/report/report.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
+#include <array>
+#include <functional>
+#include <iterator>
 
 #include "assets.hpp"
 #include "comparison.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/plot/overlay_plots.hpp"
+#include "criteria.hpp"
 #include "drawings.hpp"
 #include "html.hpp"
 #include "page.hpp"
+#include "pdf.hpp"
 #include "run_data.hpp"
+#include "run_labels.hpp"
 #include "run_sections.hpp"
+#include "title_block.hpp"
 
 namespace creepcontact::report {
 namespace {
 
-struct Part {
-  const char *id, *title;
-};
-constexpr std::array parts{Part{"answer", "What came out"}, Part{"histories", "Histories"}, Part{"fields", "Fields"},
-                           Part{"inputs", "Inputs"},        Part{"accuracy", "Accuracy"},   Part{"origin", "Origin"}};
+constexpr std::size_t most_views = 8;  // of runs in a comparison
 
-void add_contents(const std::vector<RunData>& runs, Html& page) {
-  page.open("nav", "aria-label=\"Contents\"");
+/// A part of the page that the contents lead to.
+struct Part {
+  std::string id, title;
+};
+
+/// The sections of a page, each with an entry in the contents.
+class Parts {
+ public:
+  explicit Parts(Html& page) : page_(page) {}
+
+  void add(const char* id, const char* title, const std::function<void()>& content) {
+    all_.push_back({id, title});
+    page_.open("section", fmt::format("id=\"{}\"", id));
+    content();
+    page_.close("section");
+  }
+  /// An entry for a section that opens itself, or for none. @param content  adds it
+  void add_if_any(const char* id, const char* title, const std::function<void()>& content) {
+    const std::size_t before = page_.text().size();
+    content();
+    if (page_.text().size() > before) all_.push_back({id, title});
+  }
+  const std::vector<Part>& all() const { return all_; }
+
+ private:
+  Html& page_;
+  std::vector<Part> all_;
+};
+
+void add_links(const char* name, const char* style, const std::vector<Part>& parts, Html& page) {
+  page.open("nav", fmt::format("aria-label=\"{}\" class=\"{}\"", name, style));
   page.open("ul");
-  const auto entry = [&](const std::string& id, const std::string& title) {
+  for (const Part& part : parts) {
     page.open("li");
-    page.element("a", title, fmt::format("href=\"#{}\"", id));
+    page.element("a", part.title, fmt::format("href=\"#{}\"", part.id));
     page.close("li");
-  };
-  if (runs.size() == 1) {
-    for (const Part& part : parts) entry(fmt::format("{}-1", part.id), part.title);
-  } else {
-    entry("comparison", "Comparison");
-    for (std::size_t i = 0; i < runs.size(); ++i) entry(fmt::format("run-{}", i + 1), runs[i].label);
   }
   page.close("ul");
   page.close("nav");
 }
 
-void add_heading(const std::vector<RunData>& runs, const std::string& title, Html& page) {
-  const std::time_t now = std::time(nullptr);
-  page.open("header");
-  page.element("h1", title);
-  page.open("p", "class=\"about\"");
-  page.raw(fmt::format("Report of {:%Y-%m-%d %H:%M}, creepcontact {}", fmt::localtime(now), CREEPCONTACT_VERSION));
-  if (runs.size() == 1 && !runs[0].record.fingerprint.empty())
-    page.raw(escaped(fmt::format(", model {}", runs[0].record.fingerprint)));
-  page.close("p");
-  page.close("header");
+/// The runs of a study; of any other directory itself. Links to elsewhere are not followed.
+std::vector<std::filesystem::path> runs_in(const std::filesystem::path& directory) {
+  if (!path_exists(directory) || !path_is_directory(directory) || !path_exists(directory / "study.csv"))
+    return {directory};
+  std::vector<std::filesystem::path> runs;
+  const std::filesystem::path place = directory / "runs";
+  if (path_exists(place) && path_is_directory(place))
+    for (const auto& entry : std::filesystem::directory_iterator(place))
+      if (!entry.is_symlink() && entry.is_directory() &&
+          (path_exists(entry.path() / "summary.json") || path_exists(entry.path() / "history.csv")) &&
+          entry.path().filename().string().starts_with("run_"))
+        runs.push_back(entry.path());
+  if (runs.empty())
+    throw ConfigError(
+        fmt::format("'{}' is the directory of a study without results in '{}'", directory.string(), place.string()));
+  std::ranges::sort(runs);
+  return runs;
 }
 
-void add_run(const RunData& run, std::size_t number, bool is_alone, Drawings& drawings, Html& page) {
-  const std::string level = is_alone ? "h2" : "h3";
-  page.open("section", fmt::format("id=\"run-{}\"", number));
-  if (!is_alone) page.element("h2", fmt::format("{}: {}", run.label, run.title()));
+/// The first heading of study.md; empty if there is none.
+std::string title_of_study(const std::filesystem::path& directory) {
+  constexpr std::size_t longest = std::size_t{16} << 20;
+  if (!path_exists(directory / "study.csv") || !path_exists(directory / "study.md")) return "";
+  const std::string text = read_file(directory / "study.md", longest).bytes;
+  return text.starts_with("# ") ? text.substr(2, text.find('\n') - 2) : "";
+}
+
+std::filesystem::path output_file(const std::vector<std::filesystem::path>& given, const ReportOptions& options) {
+  const char* const name = options.pdf ? "report.pdf" : "report.html";
+  if (options.output.empty()) return given.size() == 1 ? given.front() / name : name;
+  if (path_exists(options.output) && path_is_directory(options.output)) return options.output / name;
+  return options.output;
+}
+
+bool has_appendix(const std::vector<RunData>& runs) {
+  return runs.front().record.report.appendix;
+}
+
+void add_one(const RunData& run, Script script, Drawings& drawings, Html& page, Parts& parts) {
   if (const std::string text = ending(run); !text.empty()) page.element("p", text, "class=\"ending\" role=\"note\"");
-  const auto part = [&](const char* id, const auto& add) {
-    page.open("section", fmt::format("id=\"{}-{}\"", id, number));
-    add();
+  parts.add_if_any("question", "Question", [&] { add_question({run}, page); });
+  parts.add_if_any("criteria", "Criteria", [&] { add_criteria(run, page); });
+  parts.add("answer", "What came out", [&] { add_answer(run, page); });
+  parts.add("histories", "Histories", [&] { add_histories(run, drawings, page); });
+  parts.add_if_any("cycles", "Cycles", [&] { add_cycles(run, drawings, page); });
+  parts.add("pictures", "Pictures", [&] {
+    add_fields(run, drawings, page);
+    if (script == Script::embedded) add_viewer(run, 1, page);
+  });
+  parts.add("inputs", "Inputs", [&] { add_inputs(run, {}, drawings, page); });
+  parts.add("accuracy", "Accuracy", [&] { add_accuracy(run, page); });
+  if (has_appendix({run})) parts.add("appendix", "Appendix", [&] { add_appendix(run, drawings, page); });
+}
+
+void add_several(const std::vector<RunData>& runs, const std::vector<InputDifference>& differences, Script script,
+                 Drawings& drawings, Html& page, Parts& parts) {
+  parts.add_if_any("question", "Question", [&] { add_question(runs, page); });
+  parts.add_if_any("criteria", "Criteria", [&] { add_criteria(runs, page); });
+  parts.add("differences", "What differs", [&] { add_differences(differences, runs, page); });
+  parts.add("answer", "What came out", [&] { add_compared_results(runs, page); });
+  parts.add_if_any("histories", "Histories", [&] {
+    page.open("section", "id=\"histories\"");
+    add_overlays(runs, drawings, page);
     page.close("section");
-  };
-  part("answer", [&] { add_answer(run, page, level); });
-  part("histories", [&] { add_histories(run, drawings, page, level); });
-  part("fields", [&] { add_fields(run, number, drawings, page, level); });
-  part("inputs", [&] { add_inputs(run, drawings, page, level); });
-  part("accuracy", [&] { add_accuracy(run, drawings, page, level); });
-  part("origin", [&] { add_origin(run, page, level); });
+  });
+  parts.add("pictures", "Pictures", [&] {
+    add_compared_pictures(runs, drawings, page);
+    for (std::size_t i = 0; script == Script::embedded && i < std::min(runs.size(), most_views); ++i)
+      add_viewer(runs[i], i + 1, page);
+  });
+  parts.add("inputs", "Inputs", [&] {
+    add_inputs(runs.front(), {runs.begin() + 1, runs.end()}, drawings, page);
+    page.element("p",
+                 fmt::format("The inputs are those of the run with {}; what differs in another run is marked.",
+                             runs.front().label),
+                 "class=\"about\"");
+  });
+  parts.add("accuracy", "Accuracy", [&] { add_compared_accuracy(runs, page); });
+  if (has_appendix(runs)) parts.add("appendix", "Appendix", [&] { add_compared_appendix(runs, page); });
+}
+
+void add_figures(const Html& body, Html& page) {
+  if (body.figures().empty()) return;
+  std::vector<Part> figures;
+  for (std::size_t i = 0; i < body.figures().size(); ++i)
+    figures.push_back({fmt::format("figure-{}", i + 1), fmt::format("Figure {}: {}", i + 1, body.figures()[i])});
+  page.open("section", "id=\"figures\"");
+  page.element("h2", "Figures");
+  add_links("Figures", "figures", figures, page);
   page.close("section");
 }
 
-std::filesystem::path output_file(const std::vector<std::filesystem::path>& runs, const ReportOptions& options) {
-  if (options.output.empty()) return runs.size() == 1 ? runs.front() / "report.html" : "report.html";
-  if (path_exists(options.output) && path_is_directory(options.output)) return options.output / "report.html";
-  return options.output;
+void add_missing(const std::vector<std::string>& notes, Html& page) {
+  if (notes.empty()) return;
+  page.open("section", "id=\"missing\"");
+  page.element("h2", "What is missing here");
+  page.open("ul");
+  for (const std::string& note : notes) page.element("li", note);
+  page.close("ul");
+  page.close("section");
 }
 
 }  // namespace
 
-WrittenReport write_report(const std::vector<std::filesystem::path>& directories, const ReportOptions& options) {
+WrittenReport write_report(const std::vector<std::filesystem::path>& given, const ReportOptions& options) {
+  if (options.pdf) require_browser();  // before the pictures, which take long
+  std::vector<std::filesystem::path> directories;
+  for (const std::filesystem::path& directory : given)
+    std::ranges::move(runs_in(directory), std::back_inserter(directories));
   std::vector<std::string> labels;
   for (const plot::LabelledRun& run : plot::labelled_by_directory(directories)) labels.push_back(run.label);
   std::vector<RunData> runs;
@@ -91,38 +184,49 @@ WrittenReport write_report(const std::vector<std::filesystem::path>& directories
     runs.push_back(read_run(directories[i], labels[i], options.limit_mb / static_cast<double>(directories.size())));
 
   const bool is_alone = runs.size() == 1;
-  const std::string title = is_alone ? runs.front().title() : fmt::format("Comparison of {} runs", runs.size());
+  std::vector<const io::ModelRecord*> records;
+  for (const RunData& run : runs) records.push_back(&run.record);
+  const std::vector<InputDifference> differences = input_differences(records);
+  labels = labels_by_inputs(differences, labels);
+  for (std::size_t i = 0; i < runs.size(); ++i) runs[i].label = is_alone ? runs[i].title() : labels[i];
+  std::string title = is_alone ? runs.front().title() : "";
+  if (title.empty() && given.size() == 1) title = title_of_study(given.front());
+  if (title.empty()) title = fmt::format("Comparison of {} runs", runs.size());
+
+  const Script script = options.pdf ? Script::none : Script::embedded;
   Drawings drawings;
+  Html body;
+  Parts parts(body);
+  if (is_alone)
+    add_one(runs.front(), script, drawings, body, parts);
+  else
+    add_several(runs, differences, script, drawings, body, parts);
+
   Html page;
-  open_page(title, page);
-  add_heading(runs, title, page);
-  add_contents(runs, page);
-  page.open("main");
-  if (!is_alone) {
-    page.open("section", "id=\"comparison\"");
-    add_comparison(runs, drawings, page);
-    page.close("section");
-  }
-  for (std::size_t i = 0; i < runs.size(); ++i) add_run(runs[i], i + 1, is_alone, drawings, page);
-  WrittenReport report{output_file(directories, options), 0, {}};
+  open_page(title, page, script);
+  const std::string logo_note = add_title_block(runs, title, page);
+  WrittenReport report{output_file(given, options), 0, {}};
   for (const RunData& run : runs)
     for (const std::string& note : run.notes)
-      report.notes.push_back(is_alone ? note : fmt::format("{}: {}", run.label, note));
+      // What the view leaves out is of no interest without it.
+      if (script == Script::embedded || !run.scene || note != run.scene->note)
+        report.notes.push_back(is_alone ? note : fmt::format("{}: {}", run.label, note));
   std::ranges::copy(drawings.notes(), std::back_inserter(report.notes));
+  if (!logo_note.empty()) report.notes.push_back(logo_note);
   if (viewer_script().empty())
     report.notes.emplace_back("The program was built without the interactive view of fields (npm was missing).");
-  if (!drawings.notes().empty()) {
-    page.open("section", "id=\"missing\"");
-    page.element("h2", "What is missing here");
-    page.open("ul");
-    for (const std::string& note : drawings.notes()) page.element("li", note);
-    page.close("ul");
-    page.close("section");
-  }
+  add_links("Contents", "contents", parts.all(), page);
+  page.open("main");
+  page.raw(body.text());
+  add_figures(body, page);
+  add_missing(report.notes, page);
   page.close("main");
-  close_page(page);
-  write_page(report.file, page.text(), "--output");
-  report.megabytes = static_cast<double>(page.text().size()) / 1e6;
+  close_page(page, script);
+  if (options.pdf)
+    report.megabytes = print_pdf(page.text(), report.file);
+  else
+    write_page(report.file, page.text(), "--output");
+  if (!options.pdf) report.megabytes = static_cast<double>(page.text().size()) / 1e6;
   return report;
 }
 

@@ -41,6 +41,7 @@ std::optional<plot::RunTables> read_tables(const std::filesystem::path& director
 }  // namespace
 
 std::string RunData::title() const {
+  if (!record.report.title.empty()) return record.report.title;
   if (summary && !summary->title.empty()) return summary->title;
   if (tables && !tables->heading.title.empty()) return tables->heading.title;
   return directory.lexically_normal().filename().string();

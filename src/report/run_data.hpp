@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/base/units.hpp"
 #include "creepcontact/io/tables/model_record.hpp"
 #include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/plot/run_plots.hpp"
@@ -24,6 +25,8 @@ struct RunData {
 
   std::string title() const;
   std::string units() const;
+  /// Unit of a dimension in this run.
+  std::string unit(Dimension dimension) const { return unit_of(dimension, units()); }
 };
 
 /// @param limit_mb  of the fields @throws as write_report()

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "base64.hpp"
+#include "creepcontact/base/base64.hpp"
 #include "scene.hpp"
 
 namespace creepcontact::report {

@@ -217,6 +217,14 @@ plot::SolidPicture picture_of(const config::Config& config, const model::Model& 
 
 }  // namespace
 
+std::string model_picture_job(const config::Config& config, const model::Model& model) {
+  constexpr std::size_t most_facets = 40000;
+  plot::SolidPicture picture = picture_of(config, model, marks(config, model));
+  if (picture.facets.size() > most_facets) return "";
+  picture.title.clear();  // a report has captions
+  return plot::picture_job(picture, "");
+}
+
 std::vector<fs::path> write_model_view(const config::Config& config, const model::Model& model,
                                        const fs::path& directory) {
   const std::vector<Mark> all = marks(config, model);

@@ -10,7 +10,9 @@
 #include <numeric>
 #include <set>
 
+#include "creepcontact/base/base64.hpp"
 #include "creepcontact/base/checksum.hpp"
+#include "creepcontact/base/image.hpp"
 #include "creepcontact/base/units.hpp"
 #include "creepcontact/config/configured.hpp"
 #include "creepcontact/material/creep_curve.hpp"
@@ -466,6 +468,23 @@ std::vector<io::RecordedField> fields(const std::string& units) {
   return all;
 }
 
+/// What tells runs apart. Long values, such as tables of data, by their beginning and a checksum.
+std::vector<io::RecordedInput> inputs(const config::Config& config) {
+  constexpr std::size_t longest = 300, kept = 60;
+  std::vector<io::RecordedInput> all;
+  for (const config::ConfiguredValue& value : config::all_values(config)) {
+    if (value.key.starts_with("report.") || value.key.starts_with("output.")) continue;
+    io::RecordedInput input{value.key, value.text};
+    if (value.text.size() > longest) {
+      Checksum sum;
+      sum.add(value.text.data(), value.text.size());
+      input.value = fmt::format("{}... (checksum {:016x})", value.text.substr(0, kept), sum.value());
+    }
+    all.push_back(std::move(input));
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string element_names(const mesh::Mesh& mesh) {
@@ -476,10 +495,38 @@ std::string element_names(const mesh::Mesh& mesh) {
   return text;
 }
 
+io::RecordedReport recorded_report(const config::Config& config) {
+  const config::Report& given = config.report;
+  io::RecordedReport report{.title = given.title,
+                            .project = given.project,
+                            .drawing = given.drawing,
+                            .revision = given.revision,
+                            .author = given.author,
+                            .checker = given.checker,
+                            .logo_file = given.logo.filename().string(),
+                            .purpose = given.purpose,
+                            .assumptions = given.assumptions,
+                            .assessment = given.assessment,
+                            .appendix = given.appendix};
+  if (!given.logo.empty()) report.logo = base64(read_image(given.logo).bytes);
+  for (const config::ReportPicture& picture : given.pictures) {
+    io::RecordedPicture& kept = report.pictures.emplace_back();
+    kept.field = picture.field;
+    kept.time = picture.time;
+    kept.view = picture.view;
+    if (picture.range) kept.range = {picture.range->low, picture.range->high};
+    if (picture.section) {
+      const auto& [origin, normal] = *picture.section;
+      kept.section = {origin[0], origin[1], origin[2], normal[0], normal[1], normal[2]};
+    }
+  }
+  return report;
+}
+
 io::ModelRecord model_record(const config::Config& config, const model::Model& model, const io::Summary& at_start) {
   const Recorder recorder(config, model, at_start);
-  io::ModelRecord record{CREEPCONTACT_VERSION, now(), config.file.string(), short_fingerprint(config, model),
-                         fields(config.units), {}};
+  io::ModelRecord record{CREEPCONTACT_VERSION, now(), config.file.string(),    short_fingerprint(config, model),
+                         fields(config.units), {},    recorded_report(config), inputs(config)};
   record.sections.push_back(recorder.mesh());
   for (const config::Material& material : config.materials)
     if (std::ranges::any_of(model.bodies(),

@@ -39,6 +39,10 @@ std::vector<mesh::Face> outer_faces(const mesh::Mesh& mesh);
 /// The corners of a face, which identify it.
 std::set<std::int64_t> corners_of(const mesh::Face& face);
 
+/// The picture of the model as the job that draws it (plot::picture_job()), for reports; empty if the surface has too
+/// many faces for one.
+std::string model_picture_job(const config::Config& config, const model::Model& model);
+
 /// Writes `model.pvd`, `groups.pvd` with their files, and the picture `plots/model.png` into a directory.
 /// Without VTK there is a warning and no picture.
 /// @returns the files for people to open @throws ConfigError if the directory cannot be made; Error if the disk is full

@@ -149,7 +149,8 @@ class OutputDirectory {
         earlier_warnings_ = earlier->warnings;
       std::error_code ignored;  // there may be none; that of an earlier run would speak for this one
       if (!options.resume)
-        for (const char* file : {"summary.json", "model.json"}) std::filesystem::remove(path_ / file, ignored);
+        for (const char* file : {"summary.json", "model.json", "model_view.json"})
+          std::filesystem::remove(path_ / file, ignored);
     });
   }
   /// @throws ConfigError if it cannot be made
@@ -244,6 +245,7 @@ Summary run(const config::Config& given, const RunOptions& options) {
     built.emplace(model::build_model(config));
     probes = results::make_probes(config, *built);  // errors in them show before anything is factored
     if (options.resume) finished.message = nothing_left(config, *built, directory.path());
+    if (!finished.message.empty() && team.rank() == 0) renew_report(directory.path(), config);
   });
   model::Model& model = *built;
   require_one_model(team, config, model);

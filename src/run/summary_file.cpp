@@ -3,10 +3,14 @@
 #include <numeric>
 #include <utility>
 
+#include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
+#include "creepcontact/base/log.hpp"
 #include "creepcontact/linalg/blas_library.hpp"
 #include "creepcontact/platform/memory.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 #include "model_record.hpp"
+#include "model_view.hpp"
 #include "warning_order.hpp"
 
 namespace creepcontact::run {
@@ -19,6 +23,18 @@ io::Summary::WallSeconds wall_seconds(const Stopwatch& watch) {
 
 }  // namespace
 
+void renew_report(const std::filesystem::path& directory, const config::Config& config) {
+  const std::filesystem::path file = directory / "model.json";
+  if (!path_exists(file)) return;
+  try {
+    io::ModelRecord record = io::read_model_record(file);
+    record.report = recorded_report(config);
+    io::write_model_record(file, record);
+  } catch (const ConfigError& error) {
+    log::warning("the report keeps its former texts: {}", error.what());
+  }
+}
+
 SummaryFile::SummaryFile(const RunContext& context, const ObserverList& observers,
                          std::vector<std::string> earlier_warnings, const log::WarningRecord& warnings,
                          std::function<void(Summary&)> describe_loop)
@@ -27,13 +43,19 @@ SummaryFile::SummaryFile(const RunContext& context, const ObserverList& observer
       earlier_warnings_(std::move(earlier_warnings)),
       warnings_(warnings),
       describe_loop_(std::move(describe_loop)),
-      has_model_record_(context.resumed != nullptr && path_exists(context.directory / "model.json")) {}
+      has_model_record_(context.resumed != nullptr && path_exists(context.directory / "model.json")) {
+  together(context.team(), [&] {
+    if (has_model_record_ && context.observed.is_root()) renew_report(context.directory, context.config);
+  });
+}
 
 void SummaryFile::output(StepView& /*view*/) {
   together(context_.team(), [&] {
-    if (!std::exchange(has_model_record_, true) && context_.observed.is_root())
-      io::write_model_record(context_.directory / "model.json",
-                             model_record(context_.config, context_.model, make(Status::completed, "").results));
+    if (std::exchange(has_model_record_, true) || !context_.observed.is_root()) return;
+    io::write_model_record(context_.directory / "model.json",
+                           model_record(context_.config, context_.model, make(Status::completed, "").results));
+    if (const std::string job = model_picture_job(context_.config, context_.model); !job.empty())
+      platform::replace_file(context_.directory / "model_view.json", job, platform::Durable::when_synced);
   });
   const Clock::time_point now = Clock::now();
   if (!context_.team().any(!last_ || now - *last_ >= std::chrono::seconds(1))) return;

@@ -2,6 +2,7 @@
 /// summary.json and model.json of a run.
 
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -13,6 +14,11 @@
 #include "run_context.hpp"
 
 namespace creepcontact::run {
+
+/// Gives the model.json of a run that goes on, or has ended, the texts that [report] has now. What the run computes
+/// stays as it was recorded. Nothing happens if there is no model.json.
+/// @throws Error if the disk cannot take it
+void renew_report(const std::filesystem::path& directory, const config::Config& config);
 
 /// Writes them at outputs, so that a run that is killed leaves a summary of how far it came, and at the end.
 class SummaryFile final : public Observer {

@@ -67,7 +67,7 @@ class Manual(unittest.TestCase):
             self.assertIn(name, self.commands["list"].replace("\\-", "-"))
 
     def test_exit_statuses_are_those_of_the_interface(self):
-        self.assertEqual(re.findall(r"(?m)^\.TP\n\.B (\d+)$", self.sections["EXIT STATUS"]), ["0", "2", "3", "4", "130"])
+        self.assertEqual(re.findall(r"(?m)^\.TP\n\.B (\d+)$", self.sections["EXIT STATUS"]), ["0", "2", "3", "4", "5", "130"])
 
     def test_version(self):
         version = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, timeout=LONGEST).stdout.strip()

@@ -43,7 +43,11 @@ class Report(ReportTest):
         text = self.text_of(page)
         summary = self.summary()
         force = summary["contacts"]["fit"]
-        self.assertIn(f"{force['initial_normal_force']:.5g} N at the start to", text)
+        found = re.search(r"goes from ([\d.]+(?: \d{3})*) (k?)N at the start to", text)
+        self.assertTrue(found, text[:2000])
+        shown = float(found[1].replace(" ", "")) * (1e3 if found[2] else 1)
+        self.assertAlmostEqual(shown / force["initial_normal_force"], 1, delta=0.005)
+        self.assertNotRegex(text[:text.index("Bodies and mesh")], r"\d[eE][+-]\d|-0 %")
         for said in ("Shrink fit: a disc relaxes on its shaft", "Young's modulus", "rate = A q^n", "symmetry_x", "disc_bore",
                      "ISO 7 & a <test>", "(interference)", "fit_pressure", "The run gave no warnings.",
                      "relative accuracy asked for the stress", json.loads((self.output / "model.json").read_text())["fingerprint"]):
@@ -63,6 +67,132 @@ class Report(ReportTest):
         text = self.text_of((self.directory / "both.html").read_text())
         self.assertIn("Comparison of 2 runs", text)
         self.assertIn("normal force of fit, end", text)
+
+    LOGO = '<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20"><rect width="40" height="20" fill="#246"/></svg>'
+
+    def test_texts_of_the_configuration(self):
+        (self.directory / "logo.svg").write_text(self.LOGO)
+        texts = {"title": "Tightness of a fit", "project": "P <1>", "drawing": "D 2", "revision": "C", "author": "A. Author",
+                 "checker": "C. Checker", "logo": str(self.directory / "logo.svg"),
+                 "purpose": "Does it **hold**? <script>alert(1)</script> [x](javascript:alert(2))", "assumptions": "- no friction",
+                 "assessment": "It *does*."}
+        settings = [word for key, text in texts.items() for word in ("--set", f"report.{key}={json.dumps(text)}")]
+        self.run_short("--quiet", *settings, "--set", "report.appendix=false")
+        (self.directory / "logo.svg").unlink()  # the output directory is enough
+        self.report("out", **self.WITHOUT_PICTURES)
+        page = (self.output / "report.html").read_text()
+        text = self.text_of(page)
+        for said in ("Tightness of a fit", "Project P <1>", "Drawing D 2", "Revision C", "Author A. Author", "Checked by C. Checker"):
+            self.assertIn(said, text)
+        for part in ('<img class="logo" src="data:image/svg+xml;base64,', "<strong>hold</strong>", "<li>no friction</li>",
+                     "<em>does</em>", "&lt;script&gt;alert(1)"):
+            self.assertIn(part, page)
+        self.assertNotIn("javascript:", page.split("<script>")[0])
+        self.assertNotIn("Appendix", text)
+        self.assertNotIn("elastic solves", text)
+        order = [page.index(f'<section id="{part}"') for part in ("question", "answer", "histories", "pictures", "inputs", "accuracy")]
+        self.assertEqual(order, sorted(order))
+
+    def test_wrong_logos(self):
+        (self.directory / "logo.txt").write_text("no image")
+        for logo, fact in (("logo.txt", "PNG"), ("missing.png", "No such file")):
+            done = self.call("check", "--set", f"report.logo={json.dumps(str(self.directory / logo))}")
+            self.expect_error(done, 2, "report.logo", logo, fact)
+
+    def test_new_texts_of_a_run_that_has_ended(self):
+        self.run_short("--quiet")
+        self.run_short("--quiet", "--resume", "--set", 'report.assessment="It holds."')
+        self.report("out", **self.WITHOUT_PICTURES)
+        self.assertIn("Assessment It holds.", self.text_of((self.output / "report.html").read_text()))
+
+    def test_criteria_come_first(self):
+        self.run_short("--quiet")
+        summary = self.output / "summary.json"
+        whole = json.loads(summary.read_text())
+        whole["criteria"] = {"seal": {"met": False, "kind": "min", "demand": "seal, at least 12 MPa", "unit": "MPa", "found": 11.2,
+                                      "allowed": 12, "utilisation": 12 / 11.2, "time": 10, "body": "disc", "place": [1, 2, 3]},
+                             "later": {"met": None, "demand": "at t = 1e6", "kind": "max", "unit": ""}}
+        summary.write_text(json.dumps(whole))
+        self.report("out", **self.WITHOUT_PICTURES)
+        page = (self.output / "report.html").read_text()
+        text = self.text_of(page)
+        for said in ("0 of 2 criteria are met. NOT met: seal.", "seal, at least 12 MPa", "11.2 MPa", "≥ 12 MPa", "107 %", "disc (1, 2, 3) mm",
+                     "not judged"):
+            self.assertIn(said, text)
+        self.assertLess(page.index('id="criteria"'), page.index('id="answer"'))
+        shutil.copytree(self.output, self.directory / "other")
+        self.report("out", "other", "--output", "both.html", **self.WITHOUT_PICTURES)
+        self.assertIn("NOT met (107 %)", self.text_of((self.directory / "both.html").read_text()))
+
+    def test_markup_in_any_text_is_text(self):
+        self.run_short("--quiet", "--set", 'report.project="p"', "--set", 'report.purpose="q"', "--set", 'report.assessment="r"')
+        mark = "<script>alert(7)</script>\"'><img src=x onerror=alert(8)>"
+
+        def marked(value, key=""):
+            if isinstance(value, dict):
+                names = key in ("probes", "contacts", "bodies", "events", "criteria", "life_fraction", "sources")
+                return {name + (mark if names else ""): marked(one, name) for name, one in value.items()}
+            if isinstance(value, list):
+                return [marked(one, key) for one in value]
+            return value + mark if isinstance(value, str) and key not in ("status", "kind", "value", "key", "array") else value
+
+        for name in ("summary.json", "model.json"):
+            file = self.output / name
+            whole = json.loads(file.read_text())
+            if name == "summary.json":
+                whole.update(warnings=["w"], message="m", events={"e": 1.0, "f": None}, life_fraction={"disc": {"largest": 0.5, "place": [0, 0, 0]}},
+                             criteria={"c": {"met": True, "demand": "d", "unit": "MPa", "found": 1, "allowed": 2, "utilisation": 0.5,
+                                             "time": 1, "body": "b"}})
+            file.write_text(json.dumps(marked(whole)))
+        history = self.output / "history.csv"
+        head, rest = history.read_text().split("\n", 1)
+        history.write_text(head + mark.replace(",", "").replace('"', "") + "\n" + rest)
+        shutil.copytree(self.output, self.directory / "other")
+        for words in (("out", "--output", "one.html"), ("out", "other", "--output", "two.html")):
+            self.report(*words)
+            page = (self.directory / words[-1]).read_text()
+            self.assertIn("&lt;script&gt;alert(7)", page)
+            self.assertNotIn("<script>alert(7)", page)
+            self.assertNotIn("<img src=x", page)
+
+    def test_a_study_is_its_runs(self):
+        for i, gap in enumerate(("-0.05", "-0.1"), 1):
+            self.run_short("--quiet", "--set", f"contacts.0.gap={gap}")
+            shutil.copytree(self.output, self.directory / "study" / "runs" / f"run_00{i}")
+        (self.directory / "study" / "study.csv").write_text("contacts.0.gap,status\n")
+        (self.directory / "study" / "study.md").write_text("# Gaps & fits\n\ntext\n")
+        (self.directory / "study" / "runs" / "run_003").symlink_to(self.output)  # not followed
+        self.assertIn("study/report.html", self.report("study", **self.WITHOUT_PICTURES))
+        page = (self.directory / "study" / "report.html").read_text()
+        text = self.text_of(page)
+        for said in ("Gaps & fits", "gap = -0.05", "gap = -0.1", "Inputs that are not the same in all runs", "fit_pressure, smallest … largest",
+                     "(differs)", "Accuracy of all runs"):
+            self.assertIn(said, text)
+        self.assertNotIn("run_003", text)
+        self.assertEqual(text.count("Young's modulus"), 2)  # inputs once: of both materials
+
+    def test_pdf(self):
+        self.run_short("--quiet")
+        said = self.report("out", "--pdf")
+        self.assertIn("out/report.pdf", said)
+        self.assertTrue((self.output / "report.pdf").read_bytes().startswith(b"%PDF-"))
+        self.assertFalse((self.output / "report.html").exists())
+        target = self.directory / "elsewhere"
+        target.write_text("kept")
+        (self.directory / "a.pdf").symlink_to(target)
+        self.report("out", "--output", "a.pdf", PATH="/usr/bin")
+        self.assertEqual(target.read_text(), "kept")  # not written through the link
+        self.assertTrue((self.directory / "a.pdf").read_bytes().startswith(b"%PDF-"))
+        self.expect_error(self.program("report", "out", "--pdf", **self.WITHOUT_PICTURES), 2, "--pdf", "chromium", "print")
+
+    def test_a_browser_that_fails(self):
+        self.run_short("--quiet")
+        (self.directory / "bin").mkdir()
+        browser = self.directory / "bin" / "chromium"
+        browser.write_text("#!/bin/sh\necho no screen >&2\nexit 3\n")
+        browser.chmod(0o755)
+        self.expect_error(self.program("report", "out", "--pdf", PATH=str(self.directory / "bin"), DISPLAY=""), 4, "--pdf", "no screen")
+        self.assertFalse((self.output / "report.pdf").exists())
 
     def test_runs_that_came_to_no_end_or_are_of_another_version(self):
         self.run_short("--quiet")
@@ -96,7 +226,8 @@ class Report(ReportTest):
                 self.expect_error(self.program(command, *words), 2, *facts)
         (self.directory / "study").mkdir()
         (self.directory / "study" / "study.csv").write_text("")
-        self.expect_error(self.program("report", "study"), 2, "'study'", "study/runs/run_001")
+        self.expect_error(self.program("report", "study"), 2, "'study'", "'study/runs'")
+        self.expect_error(self.program("picture", "study"), 2, "'study'", "study/runs/run_001")
 
     def test_damaged_fields_are_named(self):
         self.run_short("--quiet")

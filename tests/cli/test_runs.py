@@ -62,7 +62,7 @@ class Results(RunTest):
         self.run_short("--quiet")
         names = {str(path.relative_to(self.output)) for path in self.output.rglob("*") if path.is_file()}
         fields = {kind: {f"{kind}/{kind}_{i:04}.vtu" for i in range(3)} for kind in ("fields", "contact")}
-        self.assertEqual(names, {"history.csv", "steps.csv", "summary.json", "checkpoint.h5", "model.json", "fields.pvd", "contact.pvd",
+        self.assertEqual(names, {"history.csv", "steps.csv", "summary.json", "checkpoint.h5", "model.json", "model_view.json", "fields.pvd", "contact.pvd",
                                  *fields["fields"], *fields["contact"]})
         for kind, files in fields.items():
             collection = (self.output / f"{kind}.pvd").read_text()

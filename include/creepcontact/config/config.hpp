@@ -525,6 +525,24 @@ struct Output {
   CsvFormat csv;                   ///< of history.csv, steps.csv and the log of contact iterations
 };
 
+/// A still picture of [report].
+struct ReportPicture {
+  std::string field;                    ///< a quantity of the field files
+  std::optional<double> time;           ///< the nearest output time with fields is drawn; nullopt: the last one
+  std::optional<SectionPlane> section;  ///< what lies on the side of the normal is cut away
+  std::string view = "iso";             ///< one of settings::views
+  std::optional<Interval> range;        ///< of the colours; nullopt: that of the values shown
+};
+
+/// [report]: what a report says next to the results. The run copies it into its output.
+struct Report {
+  std::string title, project, drawing, revision, author, checker;
+  std::filesystem::path logo;                    ///< PNG, JPEG or SVG, relative to the working directory; may be empty
+  std::string purpose, assumptions, assessment;  ///< Markdown
+  bool appendix = true;                          ///< with steps, cost and origin
+  std::vector<ReportPicture> pictures;           ///< empty: those that a report chooses
+};
+
 enum class Reduce { mean, max, min, sum };
 constexpr auto names_of(Reduce) {
   return std::to_array<settings::EnumName<Reduce>>(
@@ -630,6 +648,7 @@ struct Config {
   settings::StiffnessSettings linear_solver;
   Time time;
   Output output;
+  Report report;
   std::vector<Probe> probes;
   std::vector<Event> events;
   std::vector<Criterion> criteria;

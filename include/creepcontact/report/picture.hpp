@@ -1,6 +1,7 @@
 #pragma once
 /// Still pictures of the fields of a run, drawn by VTK in a process of Python.
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -16,10 +17,12 @@ struct Picture {
   double warp = 0;                       ///< factor on the displacements
   std::vector<std::string> bodies = {};  ///< shown; empty: all
   std::optional<std::pair<double, double>> range = {};  ///< of the colours; nullopt: that of the values shown
-  std::string view = "iso";                             ///< one of views(); of a section always "z"
-  bool titled = true;                                   ///< write the title into the picture
-  int width = 1200, height = 900;                       ///< pixels
-  std::filesystem::path output = {};                    ///< PNG file
+  /// A point of a plane and its normal: what the normal points to is cut away.
+  std::optional<std::array<double, 6>> section = {};
+  std::string view = "iso";           ///< one of views(); of a section always "z"
+  bool titled = true;                 ///< write the title into the picture
+  int width = 1200, height = 900;     ///< pixels
+  std::filesystem::path output = {};  ///< PNG file
 };
 
 /// Directions from which solids are seen: "iso", "x", "-x", "y", "-y", "z", "-z".
@@ -28,7 +31,7 @@ const std::vector<std::string>& views();
 /// A picture that was drawn.
 struct DrawnPicture {
   std::filesystem::path file;
-  std::string title;  ///< "von Mises stress at t = 1e+06 h, deformation x 20"
+  std::string title;  ///< "von Mises stress at t = 1 000 000 h, deformation x 20"
   double time = 0;
 };
 

@@ -16,8 +16,38 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(RecordedCurve, name, x, y)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(RecordedPlot, title, x_label, y_label, log_x, log_y, curves)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(RecordedSection, title, notes, tables, plots)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(RecordedField, name, label, unit, array, component, is_on_contact)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(RecordedInput, key, value)
+
+namespace {
+
+template <class T>
+std::optional<T> if_given(const nlohmann::json& json, const char* name) {
+  const auto found = json.find(name);
+  return found == json.end() || found->is_null() ? std::nullopt : std::optional(found->get<T>());
+}
+
+}  // namespace
+
+static void to_json(nlohmann::json& json, const RecordedPicture& picture) {
+  json = {{"field", picture.field}};
+  if (picture.time) json["time"] = *picture.time;
+  if (picture.section) json["section"] = *picture.section;
+  if (!picture.view.empty()) json["view"] = picture.view;
+  if (picture.range) json["range"] = *picture.range;
+}
+
+static void from_json(const nlohmann::json& json, RecordedPicture& picture) {
+  picture.field = json.value("field", "");
+  picture.time = if_given<double>(json, "time");
+  picture.section = if_given<std::array<double, 6>>(json, "section");
+  picture.view = json.value("view", "");
+  picture.range = if_given<std::pair<double, double>>(json, "range");
+}
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(RecordedReport, title, project, drawing, revision, author, checker,
+                                                logo, logo_file, purpose, assumptions, assessment, appendix, pictures)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(ModelRecord, version, started, configuration, fingerprint, fields,
-                                                sections)
+                                                sections, report, inputs)
 
 namespace {
 

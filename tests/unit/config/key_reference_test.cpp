@@ -65,6 +65,7 @@ TEST(KeySections, TablesAsInTheFile) {
                            "[linear_solver]",
                            "[time]",
                            "[output]",
+                           "[report]",
                            "[[probes]]",
                            "[[events]]",
                            "[[criteria]]"}));

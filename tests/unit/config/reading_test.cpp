@@ -241,6 +241,43 @@ TEST(ConfigReading, AlphaBodyByBody) {
   EXPECT_EQ(config.contact_solver.damping, 0.7);
 }
 
+TEST(ReadingReport, TextsAndPictures) {
+  const Report report = parse_text(minimal + R"toml([report]
+title = "Tightness"
+project = "P 1"
+purpose = "Is it **tight**?"
+appendix = false
+pictures = [
+  { field = "stress_theta", time = 10, section = { normal = [0, 0, 2] }, view = "-x", range = [0, 100] },
+  { field = "mesh" },
+]
+)toml")
+                            .report;
+  EXPECT_EQ(report.title, "Tightness");
+  EXPECT_EQ(report.project, "P 1");
+  EXPECT_EQ(report.purpose, "Is it **tight**?");
+  EXPECT_FALSE(report.appendix);
+  ASSERT_EQ(report.pictures.size(), 2U);
+  EXPECT_EQ(report.pictures[0].time, 10);
+  EXPECT_EQ(report.pictures[0].view, "-x");
+  EXPECT_EQ(report.pictures[0].range->high, 100);
+  EXPECT_EQ(report.pictures[0].section->normal, (std::array<double, 3>{0, 0, 2}));
+  EXPECT_FALSE(report.pictures[1].time || report.pictures[1].section || report.pictures[1].range);
+  EXPECT_TRUE(parse_text(minimal).report.appendix);
+}
+
+TEST(ReadingReport, Mistakes) {
+  const auto mistake = [](const std::string& line, std::initializer_list<std::string_view> facts) {
+    expect_mistake(minimal + "[report]\n" + line + "\n", facts);
+  };
+  mistake("logo = \"missing.png\"", {"cases/block.toml:13:", "report.logo", "missing.png"});
+  mistake("pictures = [{ field = \"stress_thets\" }]",
+          {"cases/block.toml:13:", "report.pictures", "stress_thets", "stress_theta"});
+  mistake("pictures = [{ field = \"mesh\", view = \"top\" }]", {"cases/block.toml:13:", "view", "top", "iso"});
+  mistake("pictures = [{ field = \"mesh\", range = [2, 1] }]", {"cases/block.toml:13:", "range"});
+  mistake("pictures = [{ field = \"mesh\", section = { normal = [0, 0, 0] } }]", {"cases/block.toml:13:", "normal"});
+}
+
 }  // namespace
 TEST(ConfigReading, RuptureData) {
   const Config config = parse_text(minimal + R"([materials.steel.rupture]

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "../../../src/report/base64.hpp"
-
 namespace creepcontact::report {
 namespace {
 
@@ -24,15 +22,6 @@ TEST(Html, TablesAlignNumbersAndEscapeCells) {
   EXPECT_NE(text.find("<td class=\"number\">1.5e3</td>"), std::string::npos);
   EXPECT_NE(text.find("<td class=\"number\">98 %</td>"), std::string::npos);
   EXPECT_NE(text.find("<caption>Forces &amp; more</caption>"), std::string::npos);
-}
-
-TEST(Base64, AsInRfc4648) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64(std::string("\xFF\xFE\x00", 3)), "//4A");
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 #pragma once
 /// model.json: what a run computes, in words, tables and curves, for reports.
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace creepcontact::io {
@@ -44,6 +47,29 @@ struct RecordedField {
   bool is_on_contact = false;  ///< has values on contact surfaces only
 };
 
+/// A still picture that the configuration asks for.
+struct RecordedPicture {
+  std::string field = {};
+  std::optional<double> time = {};                      ///< nullopt: the last
+  std::optional<std::array<double, 6>> section = {};    ///< a point of the plane, its normal
+  std::string view = {};                                ///< empty: the usual one
+  std::optional<std::pair<double, double>> range = {};  ///< of the colours
+};
+
+/// [report] of the configuration.
+struct RecordedReport {
+  std::string title = {}, project = {}, drawing = {}, revision = {}, author = {}, checker = {};
+  std::string logo = {};       ///< the file, in base64; empty: there is none, or it could not be read
+  std::string logo_file = {};  ///< its name
+  std::string purpose = {}, assumptions = {}, assessment = {};  ///< Markdown
+  bool appendix = true;
+  std::vector<RecordedPicture> pictures = {};
+};
+
+struct RecordedInput {
+  std::string key = {}, value = {};
+};
+
 struct ModelRecord {
   std::string version = {};        ///< of the program
   std::string started = {};        ///< date and time, ISO 8601 with the offset from UTC
@@ -51,6 +77,8 @@ struct ModelRecord {
   std::string fingerprint = {};    ///< of the configuration and the mesh: equal for equal models
   std::vector<RecordedField> fields = {};
   std::vector<RecordedSection> sections = {};
+  RecordedReport report = {};
+  std::vector<RecordedInput> inputs = {};  ///< keys of the configuration and their values, as a file has them
 };
 
 /// Replaces the file atomically. @throws Error if the disk cannot take it
