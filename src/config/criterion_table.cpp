@@ -59,6 +59,7 @@ using Keys = std::vector<std::string>;
 Keys keys_of(const Criterion& criterion) {
   if (!criterion.kind) {
     if (criterion.quantity.empty()) return {"min", "max", "safety"};
+    if (criterion.path) return {"min", "max", "safety", "body", "path", "part", "life"};
     return {"min", "max", "safety", "body", "away_from", "distance", "life"};
   }
   switch (*criterion.kind) {
