@@ -59,6 +59,7 @@ using Keys = std::vector<std::string>;
 Keys keys_of(const Criterion& criterion) {
   if (!criterion.kind) {
     if (criterion.quantity.empty()) return {"min", "max", "safety"};
+    if (criterion.path) return {"min", "max", "safety", "body", "path", "part", "life"};
     return {"min", "max", "safety", "body", "away_from", "distance", "life"};
   }
   switch (*criterion.kind) {
@@ -85,8 +86,8 @@ void check(const Criterion& criterion, const Item& item, Context& context) {
                   of_what.empty() ? "nothing that it is about" : fmt::format("'{}' and '{}'", of_what[0], of_what[1]),
                   "one of probe, expression, quantity, kind");
   const Keys known = keys_of(criterion);
-  for (const std::string& key : given_keys(
-           item, {"body", "contact", "away_from", "distance", "path", "strains", "min", "max", "safety", "life"}))
+  for (const std::string& key : given_keys(item, {"body", "contact", "away_from", "distance", "path", "part", "strains",
+                                                  "min", "max", "safety", "life"}))
     if (std::ranges::find(known, key) == known.end())
       report(key.c_str(), fmt::format("has no meaning with '{}'", of_what[0]),
              fmt::format("{}", fmt::join(known, ", ")));
@@ -98,6 +99,10 @@ void check(const Criterion& criterion, const Item& item, Context& context) {
            criterion.kind ? "with 'min', the smallest mean pressure that is tight" : "with 'min' or 'max'");
   if (criterion.kind == CriterionKind::creep_strain && (!criterion.path || !criterion.body.given()))
     report("", "no path through the wall of a body", "with 'body' and path = [[x, y, z], [x, y, z]]");
+  if (criterion.path && !criterion.quantity.empty() && criterion.quantity != "von_mises")
+    report("path", fmt::format("along it '{}' is not linearised", criterion.quantity), "quantity = \"von_mises\"");
+  if (criterion.path && !criterion.quantity.empty() && !criterion.body.given())
+    report("path", "given without a body", "with 'body'");
   if ((criterion.kind == CriterionKind::leak || criterion.kind == CriterionKind::interference_lost) &&
       !criterion.contact.given())
     report("", "no contact", "with 'contact'");
@@ -175,9 +180,12 @@ Value<Criterion> criterion_table(const Vocabulary& vocabulary) {
           .otherwise("none"),
       field<Criterion>("distance", &Criterion::distance, number({.min = 0}), "how near").in("length"),
       field<Criterion>("path", &Criterion::path, two_points(),
-                       "creep_strain: a line through the wall, along which the strain is linearised")
+                       "a line through the wall, along which the strain of creep_strain, or the stress of "
+                       "`quantity = \"von_mises\"`, is linearised")
           .in("length")
-          .otherwise("required for creep_strain"),
+          .otherwise("required for creep_strain; else none"),
+      field<Criterion>("part", &Criterion::part, choice<LinearisedPart>("part of a linearised stress"),
+                       "with `path` and `quantity`: what of the linearised stress counts"),
       field<Criterion>("strains", &Criterion::strains, triple(number(greater(0)), "three numbers"),
                        "creep_strain: largest principal inelastic strain on average (membrane), with the linear part "
                        "(bending), and anywhere on the path"),

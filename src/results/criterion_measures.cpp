@@ -56,6 +56,13 @@ Finding judged(const Criterion& criterion, double found, double allowed) {
   return {found, allowed, utilisation(found, allowed, is_minimum(criterion))};
 }
 
+/// Keeps the worse of two findings.
+void take(Finding here, int body, const Vector3& place, std::optional<Finding>& worst) {
+  here.body = body;
+  here.position = place;
+  if (!worst || here.utilisation > worst->utilisation) worst = here;
+}
+
 /// A probe, or an expression of probes.
 class ProbeMeasure final : public CriterionMeasure {
  public:
@@ -114,11 +121,19 @@ class RuptureStrength {
   mutable std::map<double, double> known_;
 };
 
-/// A quantity at all points of bodies, or at their nodes if it is one of nodes.
-class FieldMeasure final : public CriterionMeasure {
+/// What is allowed at the points of bodies: a function, or a strength of their materials.
+class FieldLimit {
  public:
-  FieldMeasure(const Criterion& criterion, const config::Config& config, const model::Model& model)
-      : criterion_(criterion), quantity_(quantity(criterion.quantity)) {
+  struct OfBody {
+    std::size_t body;
+    Function allowed;
+    std::optional<RuptureStrength> rupture;
+    double at(double time, double temperature) const {
+      return rupture ? rupture->at(temperature) : allowed({.t = time, .T = temperature});
+    }
+  };
+
+  FieldLimit(const Criterion& criterion, const config::Config& config, const model::Model& model) {
     for (std::size_t b = 0; b < model.bodies().size(); ++b) {
       if (criterion.body.given() && model.bodies()[b].name() != criterion.body.name) continue;
       const material::Material& material = model.bodies()[b].material();
@@ -140,11 +155,30 @@ class FieldMeasure final : public CriterionMeasure {
       bodies_.push_back(std::move(of));
     }
   }
+  const std::vector<OfBody>& bodies() const { return bodies_; }
+  /// The least of all points: where a value belongs to a wall, not to a point.
+  double least(Snapshot& snapshot) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const OfBody& of : bodies_)
+      for (const double temperature : snapshot.fields(of.body).point_values(PointField::temperature))
+        least = std::min(least, of.at(snapshot.time(), temperature));
+    return least;
+  }
+
+ private:
+  std::vector<OfBody> bodies_;
+};
+
+/// A quantity at all points of bodies, or at their nodes if it is one of nodes.
+class FieldMeasure final : public CriterionMeasure {
+ public:
+  FieldMeasure(const Criterion& criterion, const config::Config& config, const model::Model& model)
+      : criterion_(criterion), quantity_(quantity(criterion.quantity)), limit_(criterion, config, model) {}
 
   std::optional<Finding> in(Snapshot& snapshot) const override {
     std::optional<Finding> worst;
     const bool at_nodes = quantity_.variable->is<AtNodes>();
-    for (const OfBody& of : bodies_) {
+    for (const FieldLimit::OfBody& of : limit_.bodies()) {
       const BodyFields& fields = snapshot.fields(of.body);
       const std::size_t n = at_nodes ? fields.n_nodes() : fields.n_points();
       for (std::size_t p = 0; p < n; ++p) {
@@ -152,24 +186,14 @@ class FieldMeasure final : public CriterionMeasure {
         if (is_left_out(sample.position)) continue;
         const double found = quantity_.value(sample);
         if (!std::isfinite(found)) continue;
-        const double allowed = of.rupture ? of.rupture->at(sample.temperature)
-                                          : of.allowed({.t = snapshot.time(), .T = sample.temperature});
-        Finding here = judged(criterion_, found, with_safety(allowed, criterion_));
-        if (worst && !(here.utilisation > worst->utilisation)) continue;
-        here.body = static_cast<int>(of.body);
-        here.position = sample.position;
-        worst = here;
+        const double allowed = with_safety(of.at(snapshot.time(), sample.temperature), criterion_);
+        take(judged(criterion_, found, allowed), static_cast<int>(of.body), sample.position, worst);
       }
     }
     return worst;
   }
 
  private:
-  struct OfBody {
-    std::size_t body;
-    Function allowed;
-    std::optional<RuptureStrength> rupture;
-  };
   bool is_left_out(const Vector3& place) const {
     return std::ranges::any_of(criterion_.away_from, [&](const std::array<double, 3>& point) {
       return (place - Vector3(point.data())).norm() < criterion_.distance;
@@ -178,7 +202,7 @@ class FieldMeasure final : public CriterionMeasure {
 
   Criterion criterion_;
   const Quantity& quantity_;
-  std::vector<OfBody> bodies_;
+  FieldLimit limit_;
 };
 
 /// The mean pressure of a contact, or its normal force.
@@ -209,28 +233,24 @@ class ContactMeasure final : public CriterionMeasure {
   std::size_t pair_ = 0;
 };
 
-/// Inelastic strain through a wall: its mean and its linear part, component by component, of which the largest
-/// principal values count (ASME III-5, HBB-T-1310). Simpson's rule along the path.
-class PathMeasure final : public CriterionMeasure {
+/// Tensors of a body along a line through its wall: their mean, their linear part, and themselves. Simpson's rule.
+class Path {
  public:
-  PathMeasure(const Criterion& criterion, const config::Config& config, const model::Model& model)
-      : criterion_(criterion) {
+  /// @param tensors  names of quantities without their components: they are added
+  Path(const Criterion& criterion, const std::vector<std::string>& tensors, const config::Config& config,
+       const model::Model& model)
+      : n_tensors_(tensors.size()) {
     config::Config on_path = config;
     on_path.probes.clear();
-    const auto material = std::ranges::find(config.bodies, criterion.body.name, &config::Body::name);
-    std::vector<std::string> strains{"creep_strain"};
-    if (material != config.bodies.end() && config.material(material->material.name).plasticity)
-      strains.emplace_back("plastic_strain");
-    n_strains_ = strains.size();
     const Vector3 first((*criterion.path)[0].data()), last((*criterion.path)[1].data());
     for (int i = 0; i < n_points; ++i) {
       const Vector3 x = first + (last - first) * i / (n_points - 1);
       places_.push_back(x);
-      for (const std::string& strain : strains)
+      for (const std::string& tensor : tensors)
         for (const char* const component : {"xx", "yy", "zz", "xy", "yz", "zx"}) {
           config::Probe& probe = on_path.probes.emplace_back();
           probe.name = fmt::format("criterion '{}', point {} of its path", criterion.name, i + 1);
-          probe.quantity = strain + "_" + component;
+          probe.quantity = tensor + "_" + component;
           probe.at = {x.x(), x.y(), x.z()};
           probe.body = criterion.body;
           probe.location = criterion.location;
@@ -246,46 +266,102 @@ class PathMeasure final : public CriterionMeasure {
       if (model.bodies()[b].name() == criterion.body.name) body_ = static_cast<int>(b);
   }
 
-  std::optional<Finding> in(Snapshot& snapshot) const override {
-    std::vector<Matrix3> strains;
+  struct Linearised {
+    std::vector<Matrix3> values;
+    Matrix3 mean = Matrix3::Zero();
+    Matrix3 slope = Matrix3::Zero();  ///< the linear part at the last point; at the first minus that
+  };
+  Linearised in(Snapshot& snapshot) const {
+    Linearised result;
     std::size_t next = 0;
     for (int i = 0; i < n_points; ++i) {
-      Matrix3& strain = strains.emplace_back(Matrix3::Zero());
-      for (std::size_t k = 0; k < n_strains_; ++k)
+      Matrix3& value = result.values.emplace_back(Matrix3::Zero());
+      for (std::size_t k = 0; k < n_tensors_; ++k)
         for (const auto& [row, column] : {std::pair(0, 0), {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}}) {
-          const double value = snapshot.value(*probes_[next++]);
-          strain(row, column) += value;
-          if (row != column) strain(column, row) += value;
+          const double component = snapshot.value(*probes_[next++]);
+          value(row, column) += component;
+          if (row != column) value(column, row) += component;
         }
-    }
-    Matrix3 mean = Matrix3::Zero(), slope = Matrix3::Zero();  // slope: of the linear part, at the end of the path
-    for (int i = 0; i < n_points; ++i) {
       const double weight = (i == 0 || i == n_points - 1 ? 1.0 : i % 2 == 1 ? 4.0 : 2.0) / (3.0 * (n_points - 1));
       const double along = 2.0 * i / (n_points - 1) - 1;  // -1 to 1
-      mean += weight * strains[static_cast<std::size_t>(i)];
-      slope += 3 * weight * along * strains[static_cast<std::size_t>(i)];
+      result.mean += weight * value;
+      result.slope += 3 * weight * along * value;
     }
+    return result;
+  }
+  int body() const { return body_; }
+  const std::vector<Vector3>& places() const { return places_; }
+  const Vector3& middle() const { return places_[n_points / 2]; }
+
+ private:
+  static constexpr int n_points = 21;
+  std::size_t n_tensors_;
+  std::vector<Vector3> places_;
+  std::vector<std::unique_ptr<Probe>> probes_;
+  int body_ = -1;
+};
+
+std::vector<std::string> inelastic_strains(const Criterion& criterion, const config::Config& config) {
+  std::vector<std::string> strains{"creep_strain"};
+  const auto body = std::ranges::find(config.bodies, criterion.body.name, &config::Body::name);
+  if (body != config.bodies.end() && config.material(body->material.name).plasticity)
+    strains.emplace_back("plastic_strain");
+  return strains;
+}
+
+/// Inelastic strain through a wall: its mean and its linear part, component by component, of which the largest
+/// principal values count (ASME III-5, HBB-T-1310).
+class StrainMeasure final : public CriterionMeasure {
+ public:
+  StrainMeasure(const Criterion& criterion, const config::Config& config, const model::Model& model)
+      : criterion_(criterion), path_(criterion, inelastic_strains(criterion, config), config, model) {}
+
+  std::optional<Finding> in(Snapshot& snapshot) const override {
+    const Path::Linearised strain = path_.in(snapshot);
     std::optional<Finding> worst;
-    const auto take = [&](const Matrix3& strain, double allowed, const Vector3& place) {
-      Finding here = judged(criterion_, tensor::principal_values(strain)[2], allowed);
-      here.body = body_;
-      here.position = place;
-      if (!worst || here.utilisation > worst->utilisation) worst = here;
+    const auto judge = [&](const Matrix3& value, double allowed, const Vector3& place) {
+      take(judged(criterion_, tensor::principal_values(value)[2], allowed), path_.body(), place, worst);
     };
-    take(mean, criterion_.strains[0], places_[n_points / 2]);
-    take(mean - slope, criterion_.strains[1], places_.front());
-    take(mean + slope, criterion_.strains[1], places_.back());
-    for (std::size_t i = 0; i < strains.size(); ++i) take(strains[i], criterion_.strains[2], places_[i]);
+    const std::vector<Vector3>& places = path_.places();
+    judge(strain.mean, criterion_.strains[0], path_.middle());
+    judge(strain.mean - strain.slope, criterion_.strains[1], places.front());
+    judge(strain.mean + strain.slope, criterion_.strains[1], places.back());
+    for (std::size_t i = 0; i < places.size(); ++i) judge(strain.values[i], criterion_.strains[2], places[i]);
     return worst;
   }
 
  private:
-  static constexpr int n_points = 21;
   Criterion criterion_;
-  std::size_t n_strains_ = 1;
-  std::vector<Vector3> places_;
-  std::vector<std::unique_ptr<Probe>> probes_;
-  int body_ = -1;
+  Path path_;
+};
+
+/// The von Mises stress of a stress that is linearised through a wall.
+class LinearisedMeasure final : public CriterionMeasure {
+ public:
+  LinearisedMeasure(const Criterion& criterion, const config::Config& config, const model::Model& model)
+      : criterion_(criterion), path_(criterion, {"stress"}, config, model), limit_(criterion, config, model) {}
+
+  std::optional<Finding> in(Snapshot& snapshot) const override {
+    const Path::Linearised stress = path_.in(snapshot);
+    const double allowed = limit_.least(snapshot);
+    std::optional<Finding> worst;
+    const auto judge = [&](const Matrix3& value, const Vector3& place) {
+      const double found = tensor::von_mises(tensor::from_matrix(value));
+      take(judged(criterion_, found, with_safety(allowed, criterion_)), path_.body(), place, worst);
+    };
+    if (criterion_.part == config::LinearisedPart::membrane) {
+      judge(stress.mean, path_.middle());
+    } else {
+      judge(stress.mean - stress.slope, path_.places().front());
+      judge(stress.mean + stress.slope, path_.places().back());
+    }
+    return worst;
+  }
+
+ private:
+  Criterion criterion_;
+  Path path_;
+  FieldLimit limit_;
 };
 
 std::string of_bodies(const Criterion& criterion) {
@@ -295,6 +371,10 @@ std::string of_bodies(const Criterion& criterion) {
 std::string subject(const Criterion& criterion) {
   if (criterion.probe.given()) return criterion.probe.name;
   if (criterion.expression.given()) return criterion.expression.name;
+  if (!criterion.kind && criterion.path)
+    return fmt::format("{} von Mises stress through the wall of {}",
+                       criterion.part == config::LinearisedPart::membrane ? "membrane" : "membrane and bending",
+                       of_bodies(criterion));
   if (!criterion.kind)
     return fmt::format("{} of {}", quantity(criterion.quantity).variable->label, of_bodies(criterion));
   switch (*criterion.kind) {
@@ -354,9 +434,11 @@ std::unique_ptr<CriterionMeasure> make_measure(const Criterion& given, const con
                                                const model::Model& model,
                                                std::span<const std::unique_ptr<Probe>> probes) {
   const Criterion criterion = written_out(given);
-  if (criterion.kind == CriterionKind::creep_strain) return std::make_unique<PathMeasure>(criterion, config, model);
+  if (criterion.kind == CriterionKind::creep_strain) return std::make_unique<StrainMeasure>(criterion, config, model);
   if (criterion.kind == CriterionKind::leak || criterion.kind == CriterionKind::interference_lost)
     return std::make_unique<ContactMeasure>(criterion, model);
+  if (!criterion.quantity.empty() && criterion.path)
+    return std::make_unique<LinearisedMeasure>(criterion, config, model);
   if (!criterion.quantity.empty()) return std::make_unique<FieldMeasure>(criterion, config, model);
   if (criterion.expression.given())
     return std::make_unique<ProbeMeasure>(criterion, criterion.expression.name, config, probes);

@@ -159,6 +159,21 @@ TEST(Criteria, GoOnWithTheRun) {
     EXPECT_EQ(whole.number(key), parts.number(key)) << key;
 }
 
+/// The same strip without creep: 20 on average, 40 at its edge.
+TEST(Criteria, StressThroughAWallIsLinearised) {
+  const Region region{"strip", {0, 40, 8}, {0, 10, 4}};
+  const std::string path = "quantity = \"von_mises\"\nbody = \"strip\"\nmax = 30\npath = [[20, 0, 0], [20, 10, 0]]\n";
+  const std::string toml = section_of("plane_stress") + body("strip", 1e5, 0.3) + support("strip_x0", "x") +
+                           support("corner", "y") + "[time]\nend = 1\n" +
+                           "[[loads]]\non = \"strip_x1\"\ntraction = [\"20 + 4*(y - 5)\", 0, 0]\n" +
+                           criterion("membrane", path + "part = \"membrane\"") + criterion("edge", path);
+  const Outcome outcome = run_case(toml, regions_geo({region}) + "Physical Point(\"corner\") = {1};\n");
+  EXPECT_NEAR(outcome.summary.number("criteria/membrane/found"), 20, 1e-6);
+  EXPECT_NEAR(outcome.summary.number("criteria/edge/found"), 40, 1e-6);
+  EXPECT_TRUE(outcome.summary.truth("criteria/membrane/met"));
+  EXPECT_FALSE(outcome.summary.truth("criteria/edge/met"));
+}
+
 TEST(Criteria, MistakesAreNamed) {
   const auto message = [](const std::string& keys) -> std::string {
     try {

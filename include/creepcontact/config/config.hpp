@@ -592,6 +592,13 @@ constexpr auto names_of(CriterionKind) {
                                                            {"interference_lost", CriterionKind::interference_lost}});
 }
 
+/// What of a linearised stress counts: its mean over the path, or that with its linear part.
+enum class LinearisedPart { membrane, membrane_and_bending };
+constexpr auto names_of(LinearisedPart) {
+  return std::to_array<settings::EnumName<LinearisedPart>>(
+      {{"membrane", LinearisedPart::membrane}, {"membrane_and_bending", LinearisedPart::membrane_and_bending}});
+}
+
 /// [[criteria]]: a demand on the run, judged at the end of every step. One of `probe`, `expression`, `quantity` and
 /// `kind` says of what.
 struct Criterion {
@@ -604,10 +611,11 @@ struct Criterion {
   Reference contact;  ///< of leak, interference_lost
   std::vector<std::array<double, 3>> away_from;  ///< points near which the field does not count, within ...
   double distance = 0;
-  std::optional<std::array<std::array<double, 3>, 2>> path;  ///< of creep_strain: through the wall
-  std::array<double, 3> strains{0.01, 0.02, 0.05};           ///< of creep_strain: membrane, with bending, local
-  std::optional<CriterionLimit> min, max;                    ///< one of them
-  double safety = 1;                                         ///< what is allowed is divided by it (min: times it)
+  std::optional<std::array<std::array<double, 3>, 2>> path;  ///< through the wall: of creep_strain, or of von_mises ...
+  LinearisedPart part = LinearisedPart::membrane_and_bending;  ///< ... that is linearised along it
+  std::array<double, 3> strains{0.01, 0.02, 0.05};             ///< of creep_strain: membrane, with bending, local
+  std::optional<CriterionLimit> min, max;                      ///< one of them
+  double safety = 1;                                           ///< what is allowed is divided by it (min: times it)
   std::optional<double> life;             ///< time for which the rupture strength counts; nullopt: time.end
   std::optional<double> from, until, at;  ///< times that count
   Location location;
