@@ -6,7 +6,9 @@
 
 #include "creepcontact/base/log.hpp"
 #include "fuzz_target.hpp"
+#include "report/criteria.hpp"
 #include "report/run_sections.hpp"
+#include "report/title_block.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace creepcontact;
@@ -21,8 +23,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::may_refuse([&] {
     const report::RunData run = report::read_run(directory, "fuzz", 1);
     report::Html page;
-    report::add_answer(run, page, "h2");
-    report::add_origin(run, page, "h2");
+    report::add_question({run}, page);
+    report::add_criteria(run, page);
+    report::add_answer(run, page);
+    report::add_accuracy(run, page);
     fuzz::require(page.text().find("<script") == std::string::npos, "texts of results are escaped");
   });
   return 0;
