@@ -28,7 +28,8 @@ Tensor6 about_axis(const config::InitialStress& given, const Vector3& place) {
   const Vector3 axis = vector(given.axis).normalized();
   const Vector3 from_axis = (place - vector(given.origin)) - axis * axis.dot(place - vector(given.origin));
   Matrix3 directions;
-  directions.col(0) = from_axis.norm() > 0 ? Vector3(from_axis.normalized()) : axis.unitOrthogonal();
+  directions.col(0) = axis.unitOrthogonal();
+  if (from_axis.norm() > 0) directions.col(0) = from_axis.normalized();
   directions.col(2) = axis;
   directions.col(1) = axis.cross(Vector3(directions.col(0)));
   const Vector3 normal(given.about_axis[0](at(place)), given.about_axis[1](at(place)), given.about_axis[2](at(place)));

@@ -50,7 +50,7 @@ Finding Finding::from(std::span<const double, n_numbers> numbers) {
 
 CriteriaWatch::CriteriaWatch(const config::Config& config, const model::Model& model,
                              std::span<const std::unique_ptr<Probe>> probes)
-    : config_(config), criteria_(config.criteria), worst_(n_kept * config.criteria.size(), none) {
+    : criteria_(config.criteria), worst_(n_kept * config.criteria.size(), none) {
   for (const mechanics::Body& body : model.bodies()) bodies_.push_back(body.name());
   for (std::size_t i = 0; i < criteria_.size(); ++i) {
     const config::Criterion& criterion = criteria_[i];

@@ -1,6 +1,8 @@
 #include "summary_file.hpp"
 
+#include <algorithm>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "creepcontact/base/error.hpp"
@@ -21,6 +23,19 @@ io::Summary::WallSeconds wall_seconds(const Stopwatch& watch) {
   return {std::accumulate(parts.begin(), parts.end(), 0.0), parts};
 }
 
+/// A file that is right is left as it is.
+bool is_same(const io::RecordedReport& a, const io::RecordedReport& b) {
+  const auto texts = [](const io::RecordedReport& of) {
+    return std::tie(of.title, of.project, of.drawing, of.revision, of.author, of.checker, of.logo, of.logo_file,
+                    of.purpose, of.assumptions, of.assessment, of.appendix);
+  };
+  const auto keys = [](const io::RecordedPicture& of) {
+    return std::tie(of.field, of.time, of.section, of.view, of.range);
+  };
+  return texts(a) == texts(b) &&
+         std::ranges::equal(a.pictures, b.pictures, [&](const auto& x, const auto& y) { return keys(x) == keys(y); });
+}
+
 }  // namespace
 
 void renew_report(const std::filesystem::path& directory, const config::Config& config) {
@@ -28,7 +43,9 @@ void renew_report(const std::filesystem::path& directory, const config::Config& 
   if (!path_exists(file)) return;
   try {
     io::ModelRecord record = io::read_model_record(file);
-    record.report = recorded_report(config);
+    io::RecordedReport now = recorded_report(config);
+    if (is_same(record.report, now)) return;
+    record.report = std::move(now);
     io::write_model_record(file, record);
   } catch (const ConfigError& error) {
     log::warning("the report keeps its former texts: {}", error.what());

@@ -76,7 +76,6 @@ class CriteriaWatch {
   };
   bool counts(std::size_t criterion, double time) const;
 
-  const config::Config& config_;
   const std::vector<config::Criterion>& criteria_;
   std::vector<std::string> bodies_;
   std::vector<std::unique_ptr<CriterionMeasure>> measures_;
