@@ -64,4 +64,20 @@ std::vector<Face> outer_faces(std::span<const CellBlock> blocks, int dimension) 
   return faces;
 }
 
+std::vector<Face> cells_of_group(const Mesh& mesh, const Group& group) {
+  std::vector<Face> cells;
+  cells.reserve(group.cells.size());
+  for (const auto& [block, number] : group.cells) {
+    const std::span<const std::int64_t> nodes = mesh.blocks[block].cell(number);
+    cells.push_back({mesh.blocks[block].type, {nodes.begin(), nodes.end()}});
+  }
+  return cells;
+}
+
+std::vector<std::int64_t> corners_of(const Face& face) {
+  std::vector<std::int64_t> corners(face.nodes.begin(), face.nodes.begin() + n_corners(face.type));
+  std::ranges::sort(corners);
+  return corners;
+}
+
 }  // namespace creepcontact::mesh

@@ -31,22 +31,12 @@ Vector3 doubled_area(const Face& face, std::span<const Vector3> nodes) {
   return sum;
 }
 
-std::vector<std::int64_t> sorted_corners(std::span<const std::int64_t> nodes, CellType type) {
-  const auto first = nodes.begin();
-  std::vector<std::int64_t> corners(first, first + n_corners(type));
-  std::ranges::sort(corners);
-  return corners;
-}
-
-/// The groups of each face, by its sorted corners.
+/// The groups of each face, by its corners.
 std::map<std::vector<std::int64_t>, std::vector<std::string_view>> groups_of_faces(const Mesh& body) {
   std::map<std::vector<std::int64_t>, std::vector<std::string_view>> result;
   for (const auto& [name, group] : body.groups) {
     if (group.dimension != body.section.dimension() - 1) continue;
-    for (const CellRef& ref : group.cells) {
-      const CellBlock& block = body.blocks[ref.block];
-      result[sorted_corners(block.cell(ref.cell), block.type)].push_back(name);
-    }
+    for (const Face& face : cells_of_group(body, group)) result[corners_of(face)].push_back(name);
   }
   return result;
 }
@@ -116,7 +106,7 @@ std::vector<SurfacePatch> smooth_patches(const Mesh& body, const std::string& na
   std::vector<const std::vector<std::string_view>*> groups_of;
   groups_of.reserve(faces.size());
   for (const Face& face : faces) {
-    const auto found = groups.find(sorted_corners(face.nodes, face.type));
+    const auto found = groups.find(corners_of(face));
     groups_of.push_back(found == groups.end() ? &none : &found->second);
   }
   DisjointSets sets(faces.size());

@@ -18,7 +18,7 @@ using MPI_Info = void*;
 #include <string_view>
 
 #include "creepcontact/mesh/cell_faces.hpp"
-#include "creepcontact/mesh/group_kind.hpp"
+#include "gmsh_content.hpp"
 #include "numbered_groups.hpp"
 
 namespace creepcontact::mesher {
@@ -130,11 +130,7 @@ class MedFile {
     if (content.elements.empty()) fail("its mesh has no cells");
     read_groups();
     if (groups_.empty())
-      for (const io::MshContent::Elements& elements : content.elements) {
-        const io::MshContent::Key entity = elements.entity;
-        content.physical_names[entity] = fmt::format("{}_{}", mesh::group_kind(entity.dimension), entity.tag);
-        content.physicals[entity] = {entity.tag};
-      }
+      name_entities(content);
     else
       set_groups(groups_, content);
     return content;

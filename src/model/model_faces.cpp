@@ -10,6 +10,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/io/msh/cad_reader.hpp"
+#include "creepcontact/mesh/outer_faces.hpp"
 #include "creepcontact/settings/mesh_formats.hpp"
 #include "model_parts.hpp"
 #include "surfaces.hpp"
@@ -24,26 +25,10 @@ constexpr double most_angle = 10;       // degrees
 constexpr double least_overlap = 0.05;  // of the smaller face
 constexpr double far_share = 0.5;       // of the distance within which pairs are sought
 
-std::vector<std::int64_t> corners_of(const mesh::Face& face) {
-  std::vector<std::int64_t> corners(face.nodes.begin(), face.nodes.begin() + mesh::n_corners(face.type));
-  std::ranges::sort(corners);
-  return corners;
-}
-
 /// All cells of the face are in the group.
 bool has_all(const std::set<std::vector<std::int64_t>>& group, const mesh::SurfacePatch& patch) {
-  return std::ranges::all_of(patch.faces, [&](const mesh::Face& face) { return group.contains(corners_of(face)); });
-}
-
-std::vector<mesh::Face> faces_of(const mesh::Mesh& mesh, const mesh::Group& group) {
-  std::vector<mesh::Face> result;
-  result.reserve(group.cells.size());
-  for (const mesh::CellRef& ref : group.cells) {
-    const mesh::CellBlock& block = mesh.blocks[ref.block];
-    const auto cell = block.cell(ref.cell);
-    result.push_back({block.type, {cell.begin(), cell.end()}});
-  }
-  return result;
+  return std::ranges::all_of(patch.faces,
+                             [&](const mesh::Face& face) { return group.contains(mesh::corners_of(face)); });
 }
 
 }  // namespace
@@ -68,13 +53,13 @@ ModelFaces model_faces(const config::Config& config, double distance) {
     for (const auto& [name, group] : mesh.groups)
       if (group.dimension == mesh.section.dimension()) {
         result.regions.push_back(name);
-        if (group.dimension == 2) result.areas.push_back(faces_of(mesh, group));
+        if (group.dimension == 2) result.areas.push_back(mesh::cells_of_group(mesh, group));
       }
     result.names.resize(result.patches.size());
     for (const auto& [name, group] : mesh.groups) {
       if (group.dimension != mesh.section.dimension() - 1) continue;
       std::set<std::vector<std::int64_t>> cells;
-      for (const mesh::Face& face : faces_of(mesh, group)) cells.insert(corners_of(face));
+      for (const mesh::Face& face : mesh::cells_of_group(mesh, group)) cells.insert(mesh::corners_of(face));
       for (std::size_t p = 0; p < result.patches.size(); ++p)
         if (has_all(cells, result.patches[p])) result.names[p].push_back(name);
     }

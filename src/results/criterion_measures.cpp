@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 
@@ -63,36 +64,20 @@ void take(Finding here, int body, const Vector3& place, std::optional<Finding>& 
   if (!worst || here.utilisation > worst->utilisation) worst = here;
 }
 
-/// A probe, or an expression of probes.
+/// A probe, or an expression of probes: the name of a probe alone need not be one that expressions can have.
 class ProbeMeasure final : public CriterionMeasure {
  public:
-  ProbeMeasure(const Criterion& criterion, const std::string& expression, const config::Config& config,
-               std::span<const std::unique_ptr<Probe>> probes)
-      : criterion_(criterion), value_(expression, config.probes, probes) {}
+  using Value = std::function<double(Snapshot&)>;
+  ProbeMeasure(const Criterion& criterion, Value value) : criterion_(criterion), value_(std::move(value)) {}
   std::optional<Finding> in(Snapshot& snapshot) const override {
-    const double value = value_.value(snapshot);
+    const double value = value_(snapshot);
     if (!std::isfinite(value)) return std::nullopt;
     return judged(criterion_, value, with_safety(limit_of(criterion_).value({.t = snapshot.time()}), criterion_));
   }
 
  private:
   Criterion criterion_;
-  ProbeExpression value_;
-};
-
-/// One probe, whose name may be none of an expression.
-class OneProbeMeasure final : public CriterionMeasure {
- public:
-  OneProbeMeasure(const Criterion& criterion, const Probe& probe) : criterion_(criterion), probe_(probe) {}
-  std::optional<Finding> in(Snapshot& snapshot) const override {
-    const double value = snapshot.value(probe_);
-    if (!std::isfinite(value)) return std::nullopt;
-    return judged(criterion_, value, with_safety(limit_of(criterion_).value({.t = snapshot.time()}), criterion_));
-  }
-
- private:
-  Criterion criterion_;
-  const Probe& probe_;
+  Value value_;
 };
 
 /// Stress at which the time to rupture is the life asked for, by temperature.
@@ -441,9 +426,13 @@ std::unique_ptr<CriterionMeasure> make_measure(const Criterion& given, const con
     return std::make_unique<LinearisedMeasure>(criterion, config, model);
   if (!criterion.quantity.empty()) return std::make_unique<FieldMeasure>(criterion, config, model);
   if (criterion.expression.given())
-    return std::make_unique<ProbeMeasure>(criterion, criterion.expression.name, config, probes);
+    return std::make_unique<ProbeMeasure>(
+        criterion, [value = ProbeExpression(criterion.expression.name, config.probes, probes)](Snapshot& snapshot) {
+          return value.value(snapshot);
+        });
   const auto probe = std::ranges::find(config.probes, criterion.probe.name, &config::Probe::name);
-  return std::make_unique<OneProbeMeasure>(criterion, *probes[static_cast<std::size_t>(probe - config.probes.begin())]);
+  const Probe& one = *probes[static_cast<std::size_t>(probe - config.probes.begin())];
+  return std::make_unique<ProbeMeasure>(criterion, [&one](Snapshot& snapshot) { return snapshot.value(one); });
 }
 
 }  // namespace creepcontact::results

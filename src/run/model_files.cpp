@@ -84,7 +84,7 @@ struct Groups {
         for (const Mark& mark : marks)
           if (mark.group == name && mark.acts_on(body))
             acting[static_cast<std::size_t>(mark.kind)] = static_cast<double>(mark.number + 1);
-        for (const mesh::Face& cell : cells_of_group(body.mesh(), group)) {
+        for (const mesh::Face& cell : mesh::cells_of_group(body.mesh(), group)) {
           add(cell);
           const std::array<double, 5> values{static_cast<double>(b), number, acting[0], acting[1], acting[2]};
           for (std::size_t i = 0; i < values.size(); ++i) arrays_[i].values.push_back(values[i]);
@@ -109,7 +109,7 @@ struct Groups {
         distance.values[at] = measured[coupling.row(i)] / coupling.area[i];
       }
       const mesh::Mesh& slave = model.bodies()[pair.slave_body].mesh();
-      for (const mesh::Face& face : cells_of_group(slave, slave.group(pair.slave_surface)))
+      for (const mesh::Face& face : mesh::cells_of_group(slave, slave.group(pair.slave_surface)))
         for (io::FieldData* const field : {&gap, &distance}) fill_between_corners(face, pair.slave_body, *field);
     }
     return {gap, distance};
@@ -187,7 +187,7 @@ plot::SolidPicture picture_of(const config::Config& config, const model::Model& 
     const auto number = static_cast<int>(b);
     picture.bodies.push_back(fmt::format("body '{}'", body.name()));
     picture.flat = mesh.section.dimension() == 2;
-    std::map<std::set<std::int64_t>, int> marked;  // later ones cover earlier ones: contacts, loads, supports
+    std::map<std::vector<std::int64_t>, int> marked;  // later ones cover earlier ones: contacts, loads, supports
     for (int m = 0; m < static_cast<int>(marks.size()); ++m) {
       const Mark& mark = marks[m];
       if (mark.group.empty() && (mark.body.empty() || mark.body == body.name())) {
@@ -197,14 +197,14 @@ plot::SolidPicture picture_of(const config::Config& config, const model::Model& 
           picture.lines.push_back({{mark.position}, number, m});
       }
       if (!mark.acts_on(body)) continue;
-      for (const mesh::Face& cell : cells_of_group(mesh, mesh.groups.at(mark.group)))
+      for (const mesh::Face& cell : mesh::cells_of_group(mesh, mesh.groups.at(mark.group)))
         if (mesh::dimension(cell.type) == 2)
-          marked[corners_of(cell)] = m;
+          marked[mesh::corners_of(cell)] = m;
         else
           picture.lines.push_back({line_of(mesh, cell), number, m});
     }
     const auto add = [&](const mesh::Face& face) {
-      const auto found = marked.find(corners_of(face));
+      const auto found = marked.find(mesh::corners_of(face));
       picture.facets.push_back({outline(mesh, face), number, found == marked.end() ? -1 : found->second});
     };
     if (!picture.flat) std::ranges::for_each(mesh::outer_faces(mesh.blocks, 3), add);

@@ -52,17 +52,4 @@ std::vector<Mark> marks(const config::Config& config, const model::Model& model)
   return all;
 }
 
-std::vector<mesh::Face> cells_of_group(const mesh::Mesh& mesh, const mesh::Group& group) {
-  std::vector<mesh::Face> cells;
-  for (const auto& [block, number] : group.cells) {
-    const std::span<const std::int64_t> nodes = mesh.blocks[block].cell(number);
-    cells.push_back({mesh.blocks[block].type, {nodes.begin(), nodes.end()}});
-  }
-  return cells;
-}
-
-std::set<std::int64_t> corners_of(const mesh::Face& face) {
-  return {face.nodes.begin(), face.nodes.begin() + mesh::n_corners(face.type)};
-}
-
 }  // namespace creepcontact::run

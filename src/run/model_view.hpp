@@ -3,7 +3,6 @@
 /// surfaces are.
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -29,15 +28,6 @@ struct Mark {
 
 /// In the order supports, loads, contacts (slave, then master). Loads on whole bodies have no mark.
 std::vector<Mark> marks(const config::Config& config, const model::Model& model);
-
-/// The cells of a group of lower dimension than the body, each with its nodes.
-std::vector<mesh::Face> cells_of_group(const mesh::Mesh& mesh, const mesh::Group& group);
-
-/// Faces of one cell only, oriented outward. Cost: a sort of all faces.
-std::vector<mesh::Face> outer_faces(const mesh::Mesh& mesh);
-
-/// The corners of a face, which identify it.
-std::set<std::int64_t> corners_of(const mesh::Face& face);
 
 /// The picture of the model as the job that draws it (plot::picture_job()), for reports; empty if the surface has too
 /// many faces for one.

@@ -111,9 +111,9 @@ Summary SummaryFile::make(Status status, const std::string& message) const {
   results.peak_memory_mb = platform::peak_memory() / (1 << 20);
   results.warnings = earlier_warnings_;
   for (const std::string& warning : warnings_.texts()) summary.add_warning(warning);
-  results.warnings = by_consequence(std::move(results.warnings));
   describe_loop_(summary);
-  observers_.finish(summary);
+  observers_.finish(summary);  // observers warn, too
+  results.warnings = by_consequence(std::move(results.warnings));
   return summary;
 }
 

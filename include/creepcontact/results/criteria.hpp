@@ -49,7 +49,7 @@ class CriteriaWatch {
 
   std::size_t n_criteria() const { return criteria_.size(); }
   /// Numbers for judge(): Finding::n_numbers of each criterion that counts at this time, NaN of the others. In process
-  /// 0. @param all  times do not matter
+  /// 0.
   std::vector<double> findings(Snapshot& snapshot) const;
   /// Findings of one criterion, whatever the time.
   std::vector<double> findings_of(std::size_t criterion, Snapshot& snapshot) const;
