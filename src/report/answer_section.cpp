@@ -27,15 +27,15 @@ double last_time(const io::Summary& summary) {
 
 /// The course from the start over the largest value to the end. A percentage of a start that hardly carries anything
 /// means nothing.
-std::string force_sentence(const std::string& name, const io::Summary::Course& course, double end,
-                           const std::string& force, const std::string& time) {
+std::string force_sentence(const std::string& name, const io::Summary::Course& course, double end, const Scale& force,
+                           const std::string& time) {
   constexpr double min_relative_start = 0.01, notable = 1e-3;  // of the largest; beyond start and end
   std::string text = fmt::format("The normal force of contact {} goes from {} at the start to {} at t = {}", name,
-                                 quantity(course.start, force), quantity(course.end, force), time_text(end, time));
+                                 force.with_unit(course.start), force.with_unit(course.end), time_text(end, time));
   if (course.start > min_relative_start * course.largest)
     text += fmt::format(", which is {} of the start", percent(course.end / course.start));
   if (course.largest > (1 + notable) * std::max(course.start, course.end))
-    text += fmt::format("; its largest value is {} at t = {}", quantity(course.largest, force),
+    text += fmt::format("; its largest value is {} at t = {}", force.with_unit(course.largest),
                         time_text(course.t_largest, time));
   return text + ".";
 }
@@ -44,13 +44,16 @@ std::string force_sentence(const std::string& name, const io::Summary::Course& c
 std::vector<std::string> sentences(const RunData& run) {
   const io::Summary& summary = *run.summary;
   const std::string force = run.unit(Dimension::force), time = run.unit(Dimension::time);
+  std::vector<double> forces;
+  for (const auto& [name, contact] : summary.contacts) forces.push_back(contact.normal_force.largest);
+  const Scale scale(force, forces);
   std::vector<std::string> all;
   if (const auto& rupture = summary.rupture)
     all.push_back(fmt::format("Body {} ruptures at t = {} {}.", rupture->body, time_text(rupture->time, time),
                               at_place(run, rupture->damage)));
   for (const auto& [name, contact] : summary.contacts) {
     if (contact.normal_force.largest > 0)
-      all.push_back(force_sentence(name, contact.normal_force, last_time(summary), force, time));
+      all.push_back(force_sentence(name, contact.normal_force, last_time(summary), scale, time));
     if (const std::string opening = io::opening_text(summary, contact, [&](double at) { return time_text(at, time); });
         !opening.empty())
       all.push_back(fmt::format("Contact {} {}.", name, opening));

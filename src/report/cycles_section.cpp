@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
+#include <string_view>
 
 #include "creepcontact/base/error.hpp"
 #include "engineering.hpp"
+#include "interaction_diagram.hpp"
 #include "run_sections.hpp"
 
 namespace creepcontact::report {
@@ -48,12 +49,12 @@ void add_body(const std::string& body, const io::CsvTable& cycles, const RunData
     }
   if (columns.empty()) return;
   std::vector<Scale> scales;
+  scales.reserve(columns.size());
   for (const std::vector<double>* column : columns) scales.emplace_back("", *column);
   const std::vector<double>&numbers = *cycles.column("cycle"), &times = cycles.columns[0];
   std::vector<std::vector<std::string>> rows;
   const std::vector<std::size_t> shown = shown_rows(cycles.rows());
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    const std::size_t r = shown[i];
+  for (const std::size_t r : shown) {
     std::vector<std::string> row{engineering(numbers[r], 9), time_text(times[r], "")};
     for (std::size_t c = 0; c < columns.size(); ++c)
       row.push_back(in_percent[c] ? percent((*columns[c])[r]) : scales[c].text((*columns[c])[r]));
@@ -64,37 +65,10 @@ void add_body(const std::string& body, const io::CsvTable& cycles, const RunData
                                           : fmt::format("Cycles of body {}", body));
 }
 
-/// The points of the diagram of a material, as the configuration has them; empty if there are none.
-plot::Series interaction_line(const RunData& run) {
-  plot::Series line{"interaction diagram", {}, {}, plot::Series::Style::bare_line};
-  for (const io::RecordedInput& input : run.record.inputs) {
-    if (!input.key.starts_with("materials.") || !input.key.ends_with(".fatigue.interaction")) continue;
-    const nlohmann::json points = nlohmann::json::parse(input.value, nullptr, false);
-    if (!points.is_array()) continue;
-    for (const nlohmann::json& point : points)
-      if (point.is_array() && point.size() == 2 && point[0].is_number() && point[1].is_number()) {
-        line.x.push_back(point[0].get<double>());
-        line.y.push_back(point[1].get<double>());
-      }
-    break;
-  }
-  return line;
-}
-
-void add_interaction(const std::vector<std::string>& bodies, const io::CsvTable& cycles, const RunData& run,
-                     Drawings& drawings, Html& page) {
-  plot::Figure figure;
-  figure.x.label = "fatigue life used";
-  figure.panels.push_back({{"creep life used"}, {}});
-  std::vector<plot::Series>& series = figure.panels[0].series;
-  for (const std::string& body : bodies) {
-    const std::vector<double>*fatigue = cycles.column(body + ".fatigue_fraction"),
-          *creep = cycles.column(body + ".life_fraction");
-    if (fatigue && creep && series.size() + 1 < plot::max_series) series.push_back({body, *fatigue, *creep});
-  }
-  if (series.empty()) return;
-  if (plot::Series line = interaction_line(run); !line.x.empty()) series.push_back(std::move(line));
-  drawings.add(figure, "Interaction diagram: the largest shares of each body after every cycle", page);
+void add_interaction(const std::vector<std::string>& bodies, const RunData& run, Drawings& drawings, Html& page) {
+  if (const std::optional<plot::Figure> figure = interaction_figure(bodies, run.tables->cycles, run.record.inputs))
+    drawings.add(*figure, "Interaction diagram: the largest shares of each body after every cycle, from the start on",
+                 page);
 }
 
 }  // namespace
@@ -110,7 +84,7 @@ void add_cycles(const RunData& run, Drawings& drawings, Html& page) {
     if (const std::size_t dot = name.rfind('.'); dot != std::string::npos)
       if (const std::string body = name.substr(0, dot); std::ranges::count(bodies, body) == 0) bodies.push_back(body);
   for (std::size_t b = 0; b < std::min(bodies.size(), most_bodies); ++b) add_body(bodies[b], cycles, run, page);
-  add_interaction(bodies, cycles, run, drawings, page);
+  add_interaction(bodies, run, drawings, page);
   try {
     for (const plot::NamedFigure& one : plot::run_figures(*run.tables, {}))
       if (one.name.starts_with("cycles")) drawings.add(one.figure, "What changes from cycle to cycle", page);

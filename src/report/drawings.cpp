@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -29,26 +31,49 @@ void Drawings::note(const std::string& sentence) {
 
 namespace {
 
-/// Gives the values of a panel whose label ends with a unit, "force (N)", the prefix that fits them.
-void scale(plot::Panel& panel) {
-  std::string& label = panel.y.label;
-  if (label.empty() || (label.back() != ')' && label.back() != ']')) return;
+/// The unit at the end of the label of an axis: "N" of "force (N)"; empty if there is none.
+std::string unit_of_label(const std::string& label) {
+  if (label.empty() || (label.back() != ')' && label.back() != ']')) return "";
   const std::size_t open = label.rfind(label.back() == ')' ? '(' : '[');
-  if (open == std::string::npos) return;
-  std::vector<double> all;
-  for (const plot::Series& series : panel.series) all.insert(all.end(), series.y.begin(), series.y.end());
-  const Scale found(label.substr(open + 1, label.size() - open - 2), all);
-  if (found.factor() == 1) return;
-  label.replace(open + 1, label.size() - open - 2, found.unit());
-  for (plot::Series& series : panel.series)
-    for (double& value : series.y) value *= found.factor();
+  return open == std::string::npos ? "" : label.substr(open + 1, label.size() - open - 2);
+}
+
+double largest_of(const plot::Panel& panel) {
+  double largest = 0;
+  for (const plot::Series& series : panel.series)
+    for (const double value : series.y)
+      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// Gives the values of each panel with a unit the prefix that fits them. What is noise next to the other panels of this
+/// unit becomes 0, with their prefix.
+void scale(std::vector<plot::Panel>& panels) {
+  constexpr double noise = 1e-9;
+  std::map<std::string, double> largest_by_unit;
+  for (const plot::Panel& panel : panels) {
+    double& largest = largest_by_unit[unit_of_label(panel.y.label)];
+    largest = std::max(largest, largest_of(panel));
+  }
+  for (plot::Panel& panel : panels) {
+    const std::string unit = unit_of_label(panel.y.label);
+    const double largest = largest_of(panel), of_unit = largest_by_unit[unit];
+    if (unit.empty()) continue;
+    const bool is_noise = largest < noise * of_unit;
+    const Scale found(unit, std::array{is_noise ? of_unit : largest});
+    if (!is_noise && found.factor() == 1) continue;
+    std::string& label = panel.y.label;
+    label.replace(label.size() - 1 - unit.size(), unit.size(), found.unit());
+    for (plot::Series& series : panel.series)
+      for (double& value : series.y) value = is_noise ? 0 : value * found.factor();
+  }
 }
 
 }  // namespace
 
 void Drawings::add(plot::Figure figure, const std::string& caption, Html& page) {
   figure.title.clear();
-  for (plot::Panel& panel : figure.panels) scale(panel);
+  scale(figure.panels);
   for (plot::Panel& panel : figure.panels)
     for (plot::Series& series : panel.series) series = thinned(series, figure.x.logarithmic);
   try {
@@ -74,9 +99,8 @@ void Drawings::add(const io::RecordedPlot& given, Html& page) {
 std::vector<Drawings::Still> Drawings::stills(const RunData& run, const std::vector<Picture>& pictures) {
   std::vector<Still> result;
   try {
-    const std::vector<DrawnPicture> drawn = draw_pictures(run.directory, pictures);
-    for (std::size_t i = 0; i < drawn.size(); ++i)
-      result.push_back({data_url("image/png", read_file(drawn[i].file).bytes), drawn[i].title});
+    for (const DrawnPicture& drawn : draw_pictures(run.directory, pictures))
+      result.push_back({data_url("image/png", read_file(drawn.file).bytes), drawn.title});
   } catch (const Error& error) {
     note(fmt::format("There are no still pictures of the bodies: {}.", error.what()));
     result.clear();

@@ -35,7 +35,7 @@ std::pair<std::string, double> prefixed(const std::string& unit, double largest)
   for (std::size_t l = 0; l < ladders.size(); ++l) {
     if (l == lengths && !rest.empty()) continue;
     const auto& ladder = ladders[l];
-    const auto found = std::ranges::find(ladder, first == "uN" ? "µN" : first == "um" ? "µm" : std::string_view(first));
+    const auto found = std::ranges::find(ladder, first == "uN" ? "µN" : first == "um" ? "µm" : first);
     if (found == ladder.end() || !(largest > 0) || !std::isfinite(largest)) continue;
     auto at = static_cast<std::size_t>(found - ladder.begin());
     double factor = 1;
@@ -149,24 +149,85 @@ std::string place_text(std::span<const double, 3> position, const std::string& u
                      unit.empty() ? "" : space, unit);
 }
 
-std::string readable(const std::string& cell) {
+namespace {
+
+/// A number as readers have it; other text as it is.
+std::string readable_number(std::string_view number) {
+  const std::size_t first = number.starts_with('-') ? 1 : 0;
+  if (first == number.size() || number[first] < '0' || number[first] > '9') return std::string(number);
   double value = 0;
-  const char *const begin = cell.data(), *const end = begin + cell.size();
-  const auto [after, failure] = std::from_chars(begin, end, value);
-  if (failure != std::errc() || (after != end && *after != ' ')) return cell;
-  const std::string_view number(begin, after);
-  const std::size_t e = number.find_first_of("eE");
-  if (e != std::string_view::npos) {
-    const auto figures = std::ranges::count_if(number.substr(0, e), [](char c) { return c >= '0' && c <= '9'; });
-    return engineering(value, static_cast<int>(std::max<std::ptrdiff_t>(figures, 1))) + std::string(after, end);
-  }
+  const auto [after, failure] = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (failure != std::errc() || after != number.data() + number.size()) return std::string(number);
+  constexpr std::ptrdiff_t most_figures = 9, enough = 6;  // of what has been computed by a computer
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const std::size_t e = std::min(number.find_first_of("eE"), number.size());
+  const std::ptrdiff_t figures = std::ranges::count_if(number.substr(0, e), is_digit);
+  if (e < number.size()) return engineering(value, static_cast<int>(std::min(figures, enough)));
+  const std::size_t whole = std::min(number.find('.'), number.size()) - first;
+  if (figures > most_figures && first + whole < number.size()) return engineering(value, static_cast<int>(enough));
   // Small numbers may be of a name or a year.
   constexpr std::size_t large = 5;
-  const std::size_t first = number.find_first_of("0123456789"),
-                    whole = std::min(number.find_first_not_of("0123456789", first), number.size()) - first;
-  if (first == std::string_view::npos || whole < large) return cell;
-  return std::string(number.substr(0, first)) + grouped(std::string(number.substr(first, whole))) +
-         cell.substr(first + whole);
+  if (whole < large) return std::string(number);
+  return fmt::format("{}{}{}", number.substr(0, first), grouped(std::string(number.substr(first, whole))),
+                     number.substr(first + whole));
+}
+
+/// The numbers of "20, 500]...", up to the bracket, which is removed with them.
+std::vector<std::string> numbers_before_bracket(std::string_view& text) {
+  std::vector<std::string> all;
+  const std::size_t end = text.find(']');
+  if (end == std::string_view::npos) return all;
+  std::string_view list = text.substr(0, end);
+  text.remove_prefix(end + 1);
+  while (!list.empty()) {
+    const std::size_t comma = std::min(list.find(", "), list.size());
+    all.push_back(readable_number(list.substr(0, comma)));
+    list.remove_prefix(std::min(comma + 2, list.size()));
+  }
+  return all;
+}
+
+/// "211 000 at T = 20, 175 000 at 500" of "{ T = [20, 500], values = [211000, 175000] }"; empty for any other text.
+std::string readable_table(std::string_view text) {
+  if (!text.starts_with("{ ") || !text.ends_with(" }")) return "";
+  text = text.substr(2, text.size() - 4);
+  const std::size_t begin = text.find(" = [");
+  if (begin == std::string_view::npos) return "";
+  const std::string_view variable = text.substr(0, begin);
+  text.remove_prefix(begin + 4);
+  const std::vector<std::string> places = numbers_before_bracket(text);
+  constexpr std::string_view second = ", values = [", period = ", period = ";
+  if (!text.starts_with(second)) return "";
+  text.remove_prefix(second.size());
+  const std::vector<std::string> values = numbers_before_bracket(text);
+  if (places.empty() || places.size() != values.size()) return "";
+  std::string result;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    result += i == 0 ? fmt::format("{} at {} = {}", values[i], variable, places[i])
+                     : fmt::format(", {} at {}", values[i], places[i]);
+  if (text.starts_with(period))
+    return fmt::format("{}; again every {}", result, readable_number(text.substr(period.size())));
+  return text.empty() ? result : "";
+}
+
+}  // namespace
+
+std::string readable(const std::string& cell) {
+  if (std::string table = readable_table(cell); !table.empty()) return table;
+  std::string result;
+  for (std::size_t begin = 0; begin < cell.size();) {
+    const std::size_t end = std::min(cell.find(' ', begin), cell.size());
+    const std::string word = cell.substr(begin, end - begin);
+    constexpr std::string_view opening = "([", closing = ")],;";
+    const std::size_t first = std::min(word.find_first_not_of(opening), word.size());
+    const std::size_t last = std::max(word.find_last_not_of(closing) + 1, first);
+    result += word.substr(0, first);
+    result += readable_number(word.substr(first, last - first));
+    result += word.substr(last);
+    if (end < cell.size()) result += ' ';
+    begin = end + 1;
+  }
+  return result;
 }
 
 bool is_number_text(std::string_view cell) {

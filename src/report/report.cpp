@@ -1,11 +1,13 @@
 #include "creepcontact/report/report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <functional>
 #include <iterator>
+#include <utility>
 
 #include "assets.hpp"
 #include "comparison.hpp"
@@ -68,8 +70,10 @@ void add_links(const char* name, const char* style, const std::vector<Part>& par
   page.close("nav");
 }
 
-/// The runs of a study; of any other directory itself. Links to elsewhere are not followed.
-std::vector<std::filesystem::path> runs_in(const std::filesystem::path& directory) {
+/// The first runs of a study, as many as a reader can compare and memory holds; of any other directory itself. Links to
+/// elsewhere are not followed.
+std::vector<std::filesystem::path> runs_in(const std::filesystem::path& directory, std::vector<std::string>& notes) {
+  constexpr std::size_t most = 24;
   if (!path_exists(directory) || !path_is_directory(directory) || !path_exists(directory / "study.csv"))
     return {directory};
   std::vector<std::filesystem::path> runs;
@@ -84,6 +88,13 @@ std::vector<std::filesystem::path> runs_in(const std::filesystem::path& director
     throw ConfigError(
         fmt::format("'{}' is the directory of a study without results in '{}'", directory.string(), place.string()));
   std::ranges::sort(runs);
+  if (runs.size() > most) {
+    notes.push_back(fmt::format(
+        "The study has {} runs, of which the first {} are compared here; study.csv in {} has a row for each. "
+        "To compare others, name their directories.",
+        runs.size(), most, directory.string()));
+    runs.resize(most);
+  }
   return runs;
 }
 
@@ -170,13 +181,34 @@ void add_missing(const std::vector<std::string>& notes, Html& page) {
   page.close("section");
 }
 
+/// What is missing, each sentence once with the runs that it is of.
+std::vector<std::string> notes_of_runs(const std::vector<RunData>& runs, Script script) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> all;
+  for (const RunData& run : runs)
+    for (const std::string& note : run.notes) {
+      // What the view leaves out is of no interest without it.
+      if (script == Script::none && run.scene && note == run.scene->note) continue;
+      auto found = std::ranges::find(all, note, &std::pair<std::string, std::vector<std::string>>::first);
+      if (found == all.end()) found = all.insert(all.end(), {note, {}});
+      found->second.push_back(run.label);
+    }
+  std::vector<std::string> notes;
+  notes.reserve(all.size());
+  for (const auto& [note, labels] : all)
+    notes.push_back(runs.size() == 1               ? note
+                    : labels.size() == runs.size() ? "All runs: " + note
+                                                   : fmt::format("{}: {}", fmt::join(labels, "; "), note));
+  return notes;
+}
+
 }  // namespace
 
 WrittenReport write_report(const std::vector<std::filesystem::path>& given, const ReportOptions& options) {
   if (options.pdf) require_browser();  // before the pictures, which take long
   std::vector<std::filesystem::path> directories;
+  std::vector<std::string> notes_of_studies;
   for (const std::filesystem::path& directory : given)
-    std::ranges::move(runs_in(directory), std::back_inserter(directories));
+    std::ranges::move(runs_in(directory, notes_of_studies), std::back_inserter(directories));
   std::vector<std::string> labels;
   for (const plot::LabelledRun& run : plot::labelled_by_directory(directories)) labels.push_back(run.label);
   std::vector<RunData> runs;
@@ -185,6 +217,7 @@ WrittenReport write_report(const std::vector<std::filesystem::path>& given, cons
 
   const bool is_alone = runs.size() == 1;
   std::vector<const io::ModelRecord*> records;
+  records.reserve(runs.size());
   for (const RunData& run : runs) records.push_back(&run.record);
   const std::vector<InputDifference> differences = input_differences(records);
   labels = labels_by_inputs(differences, labels);
@@ -205,12 +238,8 @@ WrittenReport write_report(const std::vector<std::filesystem::path>& given, cons
   Html page;
   open_page(title, page, script);
   const std::string logo_note = add_title_block(runs, title, page);
-  WrittenReport report{output_file(given, options), 0, {}};
-  for (const RunData& run : runs)
-    for (const std::string& note : run.notes)
-      // What the view leaves out is of no interest without it.
-      if (script == Script::embedded || !run.scene || note != run.scene->note)
-        report.notes.push_back(is_alone ? note : fmt::format("{}: {}", run.label, note));
+  WrittenReport report{output_file(given, options), 0, std::move(notes_of_studies)};
+  std::ranges::move(notes_of_runs(runs, script), std::back_inserter(report.notes));
   std::ranges::copy(drawings.notes(), std::back_inserter(report.notes));
   if (!logo_note.empty()) report.notes.push_back(logo_note);
   if (viewer_script().empty())

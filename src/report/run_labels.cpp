@@ -11,9 +11,10 @@
 namespace creepcontact::report {
 namespace {
 
-/// "gap" of "contacts[0].gap"
+/// "gap" of "contacts[0].gap"; "temperature.value" whole, since many keys end like that
 std::string end_of_key(const std::string& key) {
-  const std::size_t dot = key.rfind('.');
+  std::size_t dot = key.rfind('.');
+  if (dot != std::string::npos && dot > 0 && key.substr(dot) == ".value") dot = key.rfind('.', dot - 1);
   return dot == std::string::npos ? key : key.substr(dot + 1);
 }
 

@@ -23,13 +23,57 @@ void add_stills(const std::vector<Drawings::Still>& stills, Html& page, const ch
   page.close("div");
 }
 
-/// Finds the same cell of another run. @returns null if it has none
-const std::string* cell_of(const io::ModelRecord& record, std::size_t section, std::size_t table, std::size_t row,
-                           std::size_t column) {
-  if (section >= record.sections.size() || table >= record.sections[section].tables.size()) return nullptr;
-  const io::RecordedTable& found = record.sections[section].tables[table];
-  if (row >= found.rows.size() || column >= found.rows[row].size()) return nullptr;
-  return &found.rows[row][column];
+/// The table of another run with the same headings. @returns null if it has none
+const io::RecordedTable* same_table(const io::ModelRecord& other, const io::RecordedSection& section,
+                                    const io::RecordedTable& table) {
+  const auto found = std::ranges::find(other.sections, section.title, &io::RecordedSection::title);
+  if (found == other.sections.end()) return nullptr;
+  const auto same = std::ranges::find_if(found->tables, [&](const io::RecordedTable& candidate) {
+    return candidate.title == table.title && candidate.head == table.head;
+  });
+  return same == found->tables.end() ? nullptr : &*same;
+}
+
+/// The row of another table with the name, its first cell, of row `r` of this one: the n-th if `r` is the n-th of that
+/// name. @returns null if it has none
+const std::vector<std::string>* same_row(const io::RecordedTable& other, const io::RecordedTable& table,
+                                         std::size_t r) {
+  const auto has_name = [&](const std::vector<std::string>& row) {
+    return !row.empty() && !table.rows[r].empty() && row.front() == table.rows[r].front();
+  };
+  auto before = std::count_if(table.rows.begin(), table.rows.begin() + static_cast<std::ptrdiff_t>(r), has_name);
+  for (const std::vector<std::string>& row : other.rows)
+    if (has_name(row) && before-- == 0) return &row;
+  return nullptr;
+}
+
+/// Whether the sections of that title have the note in all runs.
+bool is_in_all(const std::string& note, const io::RecordedSection& section, const std::vector<RunData>& others) {
+  return std::ranges::all_of(others, [&](const RunData& other) {
+    const auto same = std::ranges::find(other.record.sections, section.title, &io::RecordedSection::title);
+    return same != other.record.sections.end() && std::ranges::count(same->notes, note) > 0;
+  });
+}
+
+/// Rows for readers. What is not the same in all other runs is marked.
+Rows with_marks(const io::RecordedTable& table, const io::RecordedSection& section,
+                const std::vector<RunData>& others) {
+  Rows rows = table.rows;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    std::vector<bool> differs(rows[r].size(), false);
+    bool is_in_all = true;
+    for (const RunData& other : others) {
+      const io::RecordedTable* const same = same_table(other.record, section, table);
+      const std::vector<std::string>* const row = same != nullptr ? same_row(*same, table, r) : nullptr;
+      if (row == nullptr) is_in_all = false;
+      for (std::size_t c = 0; row != nullptr && c < differs.size(); ++c)
+        if (c >= row->size() || (*row)[c] != table.rows[r][c]) differs[c] = true;
+    }
+    for (std::size_t c = 0; c < rows[r].size(); ++c)
+      rows[r][c] = readable(rows[r][c]) + (differs[c] ? " (differs)" : "");
+    if (!is_in_all && !rows[r].empty()) rows[r].front() += " (not in all runs)";
+  }
+  return rows;
 }
 
 }  // namespace
@@ -93,20 +137,10 @@ void add_inputs(const RunData& run, const std::vector<RunData>& others, Drawings
   for (std::size_t s = 0; s < run.record.sections.size(); ++s) {
     const io::RecordedSection& section = run.record.sections[s];
     page.element("h3", section.title);
-    for (const std::string& note : section.notes) page.element("p", note);
-    for (std::size_t t = 0; t < section.tables.size(); ++t) {
-      const io::RecordedTable& table = section.tables[t];
-      Rows rows = table.rows;
-      for (std::size_t r = 0; r < rows.size(); ++r)
-        for (std::size_t c = 0; c < rows[r].size(); ++c) {
-          const bool differs = std::ranges::any_of(others, [&](const RunData& other) {
-            const std::string* const cell = cell_of(other.record, s, t, r, c);
-            return cell != nullptr && *cell != table.rows[r][c];
-          });
-          rows[r][c] = readable(rows[r][c]) + (differs ? " (differs)" : "");
-        }
-      page.table(table.head, rows, table.title);
-    }
+    for (const std::string& note : section.notes)
+      page.element("p", note + (is_in_all(note, section, others) ? "" : " (differs)"));
+    for (const io::RecordedTable& table : section.tables)
+      page.table(table.head, with_marks(table, section, others), table.title);
     if (!section.plots.empty()) page.open("div", "class=\"small\"");
     for (const io::RecordedPlot& plot : section.plots) drawings.add(plot, page);
     if (!section.plots.empty()) page.close("div");

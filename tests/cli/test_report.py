@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import re
+import resource
 import shutil
 import struct
 import subprocess
@@ -170,6 +171,43 @@ class Report(ReportTest):
             self.assertIn(said, text)
         self.assertNotIn("run_003", text)
         self.assertEqual(text.count("Young's modulus"), 2)  # inputs once: of both materials
+
+    def test_a_disk_that_takes_no_more(self):
+        self.run_short("--quiet")
+        self.report("out", **self.WITHOUT_PICTURES)
+        before = (self.output / "report.html").read_bytes(), sorted(p.name for p in self.output.iterdir())
+        limit = 10000  # bytes of any file
+        done = subprocess.run([PROGRAM, "report", "out"], cwd=self.directory, capture_output=True, text=True, timeout=LONGEST,
+                              env={**os.environ, **self.WITHOUT_PICTURES},
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+        self.assertNotEqual(done.returncode, 0)
+        self.assertLineSays(done.stderr, "error: ", "report.html")
+        self.assertEqual(((self.output / "report.html").read_bytes(), sorted(p.name for p in self.output.iterdir())), before)
+
+    def test_rows_are_compared_by_their_names(self):
+        self.run_short("--quiet")
+        shutil.copytree(self.output, self.directory / "more")
+        record = json.loads((self.directory / "more" / "model.json").read_text())
+        supports, = (table for section in record["sections"] for table in section["tables"] if table["title"] == "Supports")
+        supports["rows"].insert(0, ["rim", "z = 0"])
+        (self.directory / "more" / "model.json").write_text(json.dumps(record))
+        marks = {}
+        for order in (("out", "more"), ("more", "out")):
+            self.report(*order, "--output", "both.html", **self.WITHOUT_PICTURES)
+            marks[order[0]] = re.findall(r"(\w+) \((differs|not in all runs)\)",
+                                         self.text_of((self.directory / "both.html").read_text()))
+        self.assertEqual(marks, {"out": [], "more": [("rim", "not in all runs")]})
+
+    def test_a_large_study_is_cut(self):
+        self.run_short("--quiet")
+        for i in range(1, 27):
+            shutil.copytree(self.output, self.directory / "study" / "runs" / f"run_{i:03}")
+        (self.directory / "study" / "study.csv").write_text("status\n")
+        self.assertLineSays(self.report("study", **self.WITHOUT_PICTURES), "note: ", "26 runs", "first 24", "study.csv")
+        text = self.text_of((self.directory / "study" / "report.html").read_text())
+        self.assertIn("Comparison of 24 runs", text)
+        self.assertIn("The study has 26 runs", text)
+        self.assertNotIn("run_025", text)
 
     def test_pdf(self):
         self.run_short("--quiet")

@@ -70,10 +70,24 @@ TEST(Engineering, CellsOfInputsKeepTheirFigures) {
   EXPECT_EQ(readable("1e-20"), "1·10⁻²⁰");
   EXPECT_EQ(plain(readable("231725.25 mm")), "231 725.25 mm");
   EXPECT_EQ(plain(readable("-100000")), "-100 000");
-  for (const char* same : {"1.2345", "2e5*t", "disc", "", "0.1 mm", "1e5 at 0, 2e5 at 1"}) {
-    const std::string cell = same;
-    EXPECT_EQ(readable(cell), cell == "1e5 at 0, 2e5 at 1" ? "100\u202F000 at 0, 2e5 at 1" : cell);
-  }
+  for (const char* same : {"1.2345", "2e5*t", "disc", "", "0.1 mm", "tri6", "12345a", "inf", "nan", "-", "1/773.15"})
+    EXPECT_EQ(readable(same), same);
+}
+
+TEST(Engineering, NumbersWithinATextAreReadable) {
+  EXPECT_EQ(plain(readable("1e5 at 0, 2e5 at 1")), "100 000 at 0, 200 000 at 1");
+  EXPECT_EQ(plain(readable("preload 35000 from t = 1000 on")), "preload 35 000 from t = 1000 on");
+  EXPECT_EQ(plain(readable("force per area [MPa] = (0, 0, 15.723270440251572)")),
+            "force per area [MPa] = (0, 0, 15.7233)");
+  EXPECT_EQ(readable("20 + 43000*min(1, t/8)"), "20 + 43000*min(1, t/8)");
+}
+
+TEST(Engineering, TablesAreSentences) {
+  EXPECT_EQ(plain(readable("{ T = [20, 500], values = [211000, 175000] }")), "211 000 at T = 20, 175 000 at 500");
+  EXPECT_EQ(plain(readable("{ t = [0, 6], values = [20, 600], period = 168 }")),
+            "20 at t = 0, 600 at 6; again every 168");
+  for (const char* same : {"{ T = [20, 500], values = [1] }", "{ T = 5 }", "{ a", "{ T = [20], values = [1], x = 2 }"})
+    EXPECT_EQ(readable(same), same);
 }
 
 TEST(Engineering, NumbersAreKnown) {

@@ -31,6 +31,13 @@ TEST(RunLabels, ByTheKeysThatDiffer) {
   EXPECT_EQ(labels({record("-0.1"), record("-0.2", "2")}), (Labels{"order = 1, gap = -0.1", "order = 2, gap = -0.2"}));
 }
 
+TEST(RunLabels, AValueBelongsToItsTable) {
+  io::ModelRecord cold, hot;
+  cold.inputs = {{"temperature.value", "480"}};
+  hot.inputs = {{"temperature.value", "500"}};
+  EXPECT_EQ(labels({cold, hot}), (Labels{"temperature.value = 480", "temperature.value = 500"}));
+}
+
 TEST(RunLabels, ElseByTheDirectories) {
   EXPECT_EQ(labels({record("1"), record("1")}), (Labels{"run_1", "run_2"}));
   EXPECT_EQ(labels({record("1"), {}}), (Labels{"run_1", "run_2"}));  // of an earlier version
