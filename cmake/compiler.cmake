@@ -14,6 +14,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC collects its garbage less often: a tenth of the time for a twentieth more memory.
   add_compile_options(--param=ggc-min-expand=400)
 endif()
+# The module for Python is a shared library. What the modules call of each other cannot be replaced in it either.
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+add_compile_options(-fno-semantic-interposition)
 if(CREEPCONTACT_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()

@@ -75,3 +75,12 @@ function(creepcontact_plugin name target)
   set_target_properties(${target} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden
                         LIBRARY_OUTPUT_DIRECTORY ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
 endfunction()
+
+# creepcontact_extension(name target USES <libraries> PRIVATE_USES <libraries>)
+# Extension module for Python from src/<name>/*.cpp, which may include the modules among them.
+function(creepcontact_extension name target)
+  cmake_parse_arguments(arg "" "" "USES;PRIVATE_USES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  pybind11_add_module(${target} MODULE NO_EXTRAS ${sources})
+  target_link_libraries(${target} PRIVATE ${arg_USES} ${arg_PRIVATE_USES})
+endfunction()

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "creepcontact/base/log_notice.hpp"
 
@@ -56,7 +57,22 @@ Notice& notice() {
   return instance;
 }
 
+std::shared_ptr<const Sink>& own_sink() {
+  thread_local std::shared_ptr<const Sink> own;
+  return own;
+}
+
 }  // namespace
+
+Redirection::Redirection(std::shared_ptr<const Sink> sink) : before_(std::exchange(own_sink(), std::move(sink))) {}
+
+Redirection::~Redirection() {
+  own_sink() = std::move(before_);
+}
+
+std::shared_ptr<const Sink> sink() {
+  return own_sink();
+}
 
 void before_messages(std::function<void()> f) {
   const std::scoped_lock lock(notice().mutex);
@@ -97,7 +113,12 @@ void set_level(Level level) {
 void write(Level level, std::string_view message) {
   if (level == Level::warning) {
     const std::scoped_lock lock(records().mutex);
-    for (WarningRecord* record : records().all) record->add(message);
+    for (WarningRecord* record : records().all)
+      if (record->sink_ == own_sink()) record->add(message);
+  }
+  if (const std::shared_ptr<const Sink> own = own_sink()) {
+    (*own)(level, message);
+    return;
   }
   if (logger().should_log(native(level))) {
     const std::scoped_lock lock(notice().mutex);

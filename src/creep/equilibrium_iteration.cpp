@@ -66,7 +66,8 @@ void EquilibriumSolver::refactorize(const std::vector<mechanics::BodyConditions>
   }
   if (contact_solver_) contact_solver_->flexibility_changed();
   active_set_.flexibility_changed();
-  counters_.factorizations += std::ssize(changed);
+  counters_.factorizations +=
+      std::ranges::count_if(changed, [&](std::size_t b) { return !interface_.factored(b).solver().found_factor(); });
   ++factors_;
 }
 

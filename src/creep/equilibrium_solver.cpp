@@ -54,7 +54,8 @@ EquilibriumSolver::EquilibriumSolver(const Assembly& assembly, const SolverOptio
       slip_advance_(std::make_unique<const SlipAdvance>(interface_.problem(), assembly.pairs())),
       friction_(make_friction_follower()),
       stiffness_changes_(creep::stiffness_changes(assembly)) {
-  counters_.factorizations = std::ssize(assembly.bodies());
+  for (std::size_t b = 0; b < assembly.bodies().size(); ++b)
+    if (!interface_.factored(b).solver().found_factor()) ++counters_.factorizations;
   for (const mechanics::Body& body : assembly.bodies()) {
     const std::size_t n_free = body.constraints().n_free();
     const std::size_t n_full = body.constraints().n_full();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "rosenbrock.hpp"
@@ -250,6 +251,23 @@ BarHistory bar_history(Laws laws, const BarTest& test, std::span<const double> t
 double initial_rate(Laws laws, const BarTest& test) {
   const Bar bar(laws, test);
   return bar.is_isochronous() ? std::numeric_limits<double>::infinity() : bar.rate(0, bar.virgin())[0];
+}
+
+double rate_at(Laws laws, const BarTest& test, double time, double strain) {
+  const Bar bar(laws, test);
+  if (bar.is_isochronous()) throw std::invalid_argument("the law gives the strain itself, not a rate");
+  Eigen::VectorXd y = bar.virgin();
+  y[0] = strain;
+  Eigen::Index first = 1;
+  for (const auto& law : laws) {
+    const int n = law->n_internal();
+    const bool is_strain = n == 1 && law->internal_kind(0) == InternalKind::strain;
+    if (strain != 0 && n > 0 && !is_strain)
+      throw std::invalid_argument(law->name() + ": its rate depends on more than the strain so far; use a creep curve");
+    if (is_strain) y[first] = strain;
+    first += n;
+  }
+  return bar.rate(time, y)[0];
 }
 
 }  // namespace creepcontact::material

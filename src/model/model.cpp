@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <optional>
 
 #include "computed_temperature.hpp"
@@ -79,10 +80,12 @@ StepLimits step_limits(std::span<const SearchedFunction> functions) {
 
 }  // namespace
 
-Model build_model(const config::Config& given) {
+Model build_model(const config::Config& given, MeshStore* meshes_read) {
   const bool is_heat_alone = given.is_heat_alone();
   const config::Config config = is_heat_alone ? without_mechanics(given) : given;
-  const mesh::Mesh whole = read_mesh(config);
+  const std::shared_ptr<const mesh::Mesh> read =
+      meshes_read != nullptr ? meshes_read->mesh_of(config) : std::make_shared<const mesh::Mesh>(read_mesh(config));
+  const mesh::Mesh& whole = *read;
 
   ErrorCollector errors;
   std::vector<mesh::BodyMesh> cut(config.bodies.size());

@@ -3,12 +3,17 @@
 #include <chrono>
 #include <system_error>
 
+#include "creepcontact/base/log.hpp"
+
 namespace creepcontact::platform {
 
 void Background::start(std::function<void()> work) {
   wait();
   try {
-    last_ = std::async(std::launch::async, work);
+    last_ = std::async(std::launch::async, [work, sink = log::sink()] {
+      const log::Redirection redirection(sink);
+      work();
+    });
   } catch (const std::system_error&) {  // a limit of threads or of memory
     work();
   }

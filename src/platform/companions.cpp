@@ -1,5 +1,6 @@
 #include "creepcontact/platform/companions.hpp"
 
+#include <dlfcn.h>
 #include <unistd.h>
 
 #include <system_error>
@@ -10,7 +11,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The directory of the program, or of the shared library that this code is in.
 fs::path program_directory() {
+  static const int anchor = 0;
+  Dl_info found{};
+  // Of a program the linker knows only how it was called.
+  if (::dladdr(&anchor, &found) != 0 && found.dli_fname != nullptr)
+    if (const fs::path library = found.dli_fname; library.extension() == ".so")
+      return fs::absolute(library).parent_path();
   std::error_code failure;
   return fs::read_symlink("/proc/self/exe", failure).parent_path();
 }

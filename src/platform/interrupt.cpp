@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <mutex>
 #include <string_view>
 
 namespace creepcontact::platform {
@@ -21,6 +22,7 @@ std::atomic<pid_t> process = 0;                            // that the handlers 
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
 
 Actions found;  // by the first Interrupt
+std::mutex owning;
 
 void tell(std::string_view text) {
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
@@ -97,6 +99,7 @@ BlockedSignals::~BlockedSignals() {
 }
 
 Interrupt::Interrupt() {
+  const std::scoped_lock lock(owning);
   if (owners > 0) {
     ++owners;
     return;
@@ -107,6 +110,7 @@ Interrupt::Interrupt() {
 }
 
 Interrupt::~Interrupt() {
+  const std::scoped_lock lock(owning);
   if (owners == 1)
     for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &found[i], nullptr);
   --owners;

@@ -8,7 +8,6 @@
 #include "creepcontact/base/units.hpp"
 #include "creepcontact/platform/replace_file.hpp"
 #include "creepcontact/results/quantities.hpp"
-#include "field_arrays.hpp"
 #include "frd_fields.hpp"
 #include "revolved_section.hpp"
 
@@ -32,7 +31,7 @@ std::map<std::string, std::string> names_with_units(const std::string& units) {
 
 Results::Results(const config::Config& config, const std::filesystem::path& directory, const creep::Assembly& assembly,
                  io::Continuation continuation, bool writes)
-    : surfaces_(assembly), field_times_(config.output.field_times) {
+    : maker_(assembly), field_times_(config.output.field_times) {
   if (!writes) return;
   std::vector<std::string> names;
   for (const config::Probe& probe : config.probes) names.push_back(probe.name);
@@ -45,20 +44,15 @@ Results::Results(const config::Config& config, const std::filesystem::path& dire
   }
   if (!config.output.fields) return;
   if (config.output.unit_names) names_with_units_ = names_with_units(config.units);
-  io::FieldMesh mesh;
-  io::TextArray body_names{"bodies", {}};
-  for (const mechanics::Body& body : assembly.bodies()) {
-    mesh.append(body.mesh());
-    body_names.values.push_back(body.name());
-  }
-  mesh.texts.push_back(std::move(body_names));
+  const io::FieldMesh mesh = maker_.mesh();
   fields_ = std::make_unique<io::FieldWriter>(directory, "fields", mesh, config.units, continuation);
   if (config.output.revolve > 0) {
     section_ = std::make_unique<RevolvedSection>(mesh, config.output.revolve);
     revolved_ = std::make_unique<io::FieldWriter>(directory, "revolved", section_->mesh(), config.units, continuation);
   }
-  if (!surfaces_.empty())
-    contact_ = std::make_unique<io::FieldWriter>(directory, "contact", surfaces_.mesh(), config.units, continuation);
+  if (!maker_.surfaces().empty())
+    contact_ =
+        std::make_unique<io::FieldWriter>(directory, "contact", maker_.surfaces().mesh(), config.units, continuation);
 }
 
 Results::~Results() = default;
@@ -66,15 +60,13 @@ Results::~Results() = default;
 void Results::output(Snapshot& snapshot, std::span<const double> probe_values) {
   history_->write(snapshot.time(), probe_values);
   if ((!fields_ && !frd_) || (field_times_ && !std::ranges::binary_search(*field_times_, snapshot.time()))) return;
-  std::vector<io::FieldData> at_points = point_arrays(snapshot), on_surfaces;
-  if (!surfaces_.empty())
-    for (io::FieldData& field : surfaces_.on_bodies(snapshot.equilibrium())) at_points.push_back(std::move(field));
-  if (contact_) on_surfaces = named(surfaces_.point_arrays(snapshot.equilibrium(), snapshot.heat_of_contact()));
+  OutputFields made = maker_.at(snapshot);
   std::vector<io::FrdField> for_frd;
-  if (frd_) for_frd = frd_fields(at_points);
-  background_.start([this, for_frd = std::move(for_frd), time = snapshot.time(), points = named(std::move(at_points)),
-                     cells = named(cell_arrays(snapshot)), on_surfaces = std::move(on_surfaces)] {
-    if (contact_) contact_->write(time, on_surfaces, named(surfaces_.cell_arrays()));
+  if (frd_) for_frd = frd_fields(made.at_points);
+  background_.start([this, for_frd = std::move(for_frd), time = snapshot.time(),
+                     points = named(std::move(made.at_points)), cells = named(std::move(made.in_cells)),
+                     on_surfaces = named(std::move(made.on_contacts))] {
+    if (contact_) contact_->write(time, on_surfaces, named(maker_.surfaces().cell_arrays()));
     if (fields_) fields_->write(time, points, cells);
     if (frd_) frd_->write(time, for_frd);
     if (revolved_) revolved_->write(time, section_->at_points(points), section_->at_cells(cells));

@@ -37,7 +37,7 @@ Checkpoints::Checkpoints(const config::Config& config, const model::Model& model
                          const creep::Distribution& distribution, const std::filesystem::path& directory)
     : config_(config),
       distribution_(distribution),
-      path_(directory / checkpoint_name),
+      path_(directory.empty() ? "" : directory / checkpoint_name),
       fingerprint_(fingerprint(config, model)) {}
 
 io::Checkpoint Checkpoints::read() const {
@@ -55,7 +55,7 @@ io::Checkpoint Checkpoints::read() const {
 }
 
 bool Checkpoints::exist() const {
-  return path_exists(path_);
+  return !path_.empty() && path_exists(path_);
 }
 
 io::Checkpoint Checkpoints::whole() const {
@@ -104,7 +104,7 @@ bool Checkpoints::due() const {
 }
 
 void Checkpoints::write(const io::Checkpoint& checkpoint) {
-  if (written_ == checkpoint.time) return;
+  if (path_.empty() || written_ == checkpoint.time) return;
   if (distribution_.team().size() == 1) {
     io::write_checkpoint(path_, checkpoint);
   } else {

@@ -21,6 +21,7 @@ inline constexpr const char* checkpoint_name = "checkpoint.h5";  // in the direc
 
 class Checkpoints {
  public:
+  /// @param directory  empty: none are written
   Checkpoints(const config::Config& config, const model::Model& model, const creep::Distribution& distribution,
               const std::filesystem::path& directory);
 
@@ -29,7 +30,9 @@ class Checkpoints {
   io::Checkpoint read() const;
   bool exist() const;
   /// Removes the checkpoints of an earlier run in the same directory.
-  void remove() const { io::remove_checkpoints(path_); }
+  void remove() const {
+    if (!path_.empty()) io::remove_checkpoints(path_);
+  }
 
   /// The run as it is now, without what its observers hold. @param work  of the run so far
   /// @param integrator  at a restart point

@@ -140,7 +140,9 @@ class OutputDirectory {
   /// Changes nothing but the files that tell of an earlier run. Collective.
   /// @throws ConfigError as require_output(), or if another run holds the directory
   OutputDirectory(const config::Config& config, const RunOptions& options)
-      : path_(output_directory(config, options.output)), is_root_(options.processes.team->rank() == 0) {
+      : path_(options.writes_files ? output_directory(config, options.output) : ""),
+        is_root_(options.processes.team->rank() == 0) {
+    if (path_.empty()) return;
     together(*options.processes.team, [&] {
       require_output(path_, options.resume);
       if (!is_root_) return;
@@ -155,7 +157,7 @@ class OutputDirectory {
   }
   /// @throws ConfigError if it cannot be made
   void make() {
-    if (!is_root_) return;
+    if (!is_root_ || path_.empty()) return;
     std::error_code failure;
     std::filesystem::create_directories(path_, failure);
     if (failure) throw ConfigError(fmt::format("output directory {}: {}", path_.string(), failure.message()));
@@ -198,7 +200,7 @@ Summary run_loop(Loop& loop, const ObserverList& observers, SummaryFile& file, c
     }
     summary.exit_status = exit_status;
     summary.message = cause;
-    if (summary.has_output)
+    if (summary.has_output && !context.directory.empty())
       summary.message += fmt::format("; results up to t = {:.6g} are in {}", summary.results.last_output.value_or(0),
                                      context.directory.string());
     return summary;
@@ -242,12 +244,13 @@ Summary run(const config::Config& given, const RunOptions& options) {
   std::vector<std::unique_ptr<results::Probe>> probes;
   Summary finished;
   together(team, [&] {
-    built.emplace(model::build_model(config));
+    built.emplace(model::build_model(config, options.kept != nullptr ? &options.kept->meshes : nullptr));
     probes = results::make_probes(config, *built);  // errors in them show before anything is factored
     if (options.resume) finished.message = nothing_left(config, *built, directory.path());
     if (!finished.message.empty() && team.rank() == 0) renew_report(directory.path(), config);
   });
   model::Model& model = *built;
+  if (options.kept != nullptr) model.solver.stiffness_solver = options.kept->factors.lending();
   require_one_model(team, config, model);
   if (team.any(team.rank() == 0 && !finished.message.empty())) return finished;
   if (team.size() > 1 && model.assembly.heat() != nullptr)

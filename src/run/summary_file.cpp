@@ -67,6 +67,7 @@ SummaryFile::SummaryFile(const RunContext& context, const ObserverList& observer
 }
 
 void SummaryFile::output(StepView& /*view*/) {
+  if (context_.directory.empty()) return;
   together(context_.team(), [&] {
     if (std::exchange(has_model_record_, true) || !context_.observed.is_root()) return;
     io::write_model_record(context_.directory / "model.json",
@@ -81,6 +82,7 @@ void SummaryFile::output(StepView& /*view*/) {
 }
 
 void SummaryFile::write(const Summary& summary) const {
+  if (context_.directory.empty()) return;
   together(context_.team(), [&] {
     if (context_.observed.is_root()) io::write_summary(context_.directory / "summary.json", summary.results);
   });

@@ -17,6 +17,7 @@ LIBRARY_HOME = {
     "toml.hpp": "config",
     "gmsh.h": "mesher",
     "ceres/": "optimizer",
+    "pybind11/": "python",
     "boost/geometry": "mesh",
     "boost/process": "platform",
     "mpi.h": "mpi",
@@ -26,7 +27,7 @@ LIBRARY_HOME = {
     **{f"{part}/": "ode" for part in ("arkode", "cvode", "cvodes", "ida", "kinsol", "nvector", "sundials", "sunlinsol",
                                       "sunmatrix", "sunnonlinsol")},
 }
-MODULE_DECLARATION = re.compile(r"\bcreepcontact_(?:module|program|plugin)\(\s*(\w+)([^)]*)\)")
+MODULE_DECLARATION = re.compile(r"\bcreepcontact_(?:module|program|plugin|extension)\(\s*(\w+)([^)]*)\)")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 # Put together here so that this file keeps the rule itself.
 # A path that goes on from a name, as in docs/work/, is relative.

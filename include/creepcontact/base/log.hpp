@@ -1,8 +1,10 @@
 #pragma once
-/// Program log: plain lines on standard error. Hot loops do not log. Thread-safe.
+/// Program log: plain lines on standard error, or what a caller does with them. Hot loops do not log. Thread-safe.
 
 #include <fmt/format.h>
 
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -17,8 +19,26 @@ enum class Level { debug, info, warning, error, off };
 void set_level(Level level);
 void write(Level level, std::string_view message);
 
-/// Keeps the texts of all warnings that are written while it lives, by any thread, each once; whether they are shown
-/// or dropped makes no difference. Several may live at the same time.
+using Sink = std::function<void(Level, std::string_view)>;
+
+/// Gives the messages of this thread to a sink instead, while it lives: all of them, whatever their level. Helper
+/// threads have the sink of the thread that gives them work (platform::Background).
+class Redirection {
+ public:
+  /// @param sink  may be called by helper threads while this one goes on; null: standard error
+  explicit Redirection(std::shared_ptr<const Sink> sink);
+  ~Redirection();
+  Redirection(const Redirection&) = delete;
+  Redirection& operator=(const Redirection&) = delete;
+
+ private:
+  std::shared_ptr<const Sink> before_;
+};
+/// The sink of this thread; null: standard error.
+std::shared_ptr<const Sink> sink();
+
+/// Keeps the texts of all warnings that are written while it lives, by any thread with the sink of its own, each once;
+/// whether they are shown or dropped makes no difference. Several may live at the same time.
 class WarningRecord {
  public:
   WarningRecord();
@@ -31,6 +51,9 @@ class WarningRecord {
   std::vector<std::string> texts() const;
 
  private:
+  friend void write(Level level, std::string_view message);
+
+  std::shared_ptr<const Sink> sink_ = sink();
   mutable std::mutex mutex_;
   std::vector<std::string> texts_;
 };

@@ -38,6 +38,9 @@ class StiffnessSolver {
   /// @throws SingularMatrix, after which factorize() may be called again; SolverError if memory runs out
   virtual void factorize(const SparseMatrix& lower) = 0;
 
+  /// True if the last factorize() found the factor of its matrix computed already (FactorStore).
+  virtual bool found_factor() const { return false; }
+
   virtual std::int64_t size() const = 0;
   virtual std::int64_t trailing_size() const = 0;
 

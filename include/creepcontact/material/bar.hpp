@@ -49,4 +49,9 @@ BarHistory bar_history(std::span<const std::shared_ptr<const CreepLaw>> laws, co
 /// The creep rate along the bar at t = 0, before any creep; infinite for laws with primary creep.
 double initial_rate(std::span<const std::shared_ptr<const CreepLaw>> laws, const BarTest& test);
 
+/// The creep rate along the bar at a time, with this creep strain so far, which hardening laws know.
+/// @throws std::invalid_argument if a law knows more of its past than a strain, and the strain is not 0; or if it gives
+/// no rate (CreepLaw::is_isochronous)
+double rate_at(std::span<const std::shared_ptr<const CreepLaw>> laws, const BarTest& test, double time, double strain);
+
 }  // namespace creepcontact::material

@@ -10,6 +10,7 @@
 #include "creepcontact/creep/equilibrium_solver.hpp"
 #include "creepcontact/heat/figures.hpp"
 #include "creepcontact/model/load_cycles.hpp"
+#include "creepcontact/model/mesh_store.hpp"
 #include "creepcontact/model/step_limits.hpp"
 
 namespace creepcontact::model {
@@ -38,7 +39,8 @@ std::vector<std::size_t> bodies_with(const std::vector<mechanics::Body>& bodies,
 
 /// Reads the mesh and builds the model; nothing is factored.
 /// @throws ModelError with one line per error, each with its location in the configuration
-Model build_model(const config::Config& config);
+/// @param meshes_read  those that need not be read again; may be null
+Model build_model(const config::Config& config, MeshStore* meshes_read = nullptr);
 
 /// Remarks on what is allowed and seldom meant, one entry each: moduli that differ as units do; friction above 1.5; one
 /// axial strain for bodies of unlike expansion. Also bodies without cyclic symmetry where another body has it, and

@@ -14,7 +14,7 @@
 #include "creepcontact/io/tables/step_writer.hpp"
 #include "creepcontact/ode/integrator.hpp"
 #include "creepcontact/platform/background.hpp"
-#include "creepcontact/results/contact_surfaces.hpp"
+#include "creepcontact/results/output_fields.hpp"
 #include "creepcontact/results/snapshot.hpp"
 
 namespace creepcontact::results {
@@ -51,7 +51,7 @@ class Results {
 
   std::unique_ptr<io::HistoryWriter> history_;
   std::unique_ptr<io::StepWriter> steps_;
-  ContactSurfaces surfaces_;
+  OutputFieldMaker maker_;
   std::unique_ptr<RevolvedSection> section_;
   std::unique_ptr<io::FieldWriter> fields_, contact_, revolved_;
   std::unique_ptr<io::FrdWriter> frd_;

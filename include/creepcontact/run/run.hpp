@@ -11,7 +11,9 @@
 #include "creepcontact/base/team.hpp"
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/creep/distribution.hpp"
+#include "creepcontact/linalg/factor_store.hpp"
 #include "creepcontact/linalg/stiffness_solver.hpp"
+#include "creepcontact/model/mesh_store.hpp"
 #include "creepcontact/run/observer.hpp"
 #include "creepcontact/run/summary.hpp"
 
@@ -31,9 +33,18 @@ struct Processes {
   std::function<std::vector<std::pair<std::string, double>>()> work = {};
 };
 
+/// What runs leave for further runs of models that differ in other things: meshes and factors. Several runs may use it
+/// at once.
+struct Kept {
+  model::MeshStore meshes;
+  linalg::FactorStore factors;  ///< of one process, by the direct method
+};
+
 /// Options that are not part of the configuration.
 struct RunOptions {
   std::string output;                     ///< directory; empty: that of the configuration
+  bool writes_files = true;               ///< false: no files and no directory; observers take the results
+  Kept* kept = nullptr;                   ///< null: everything is read and factored
   bool resume = false;                    ///< continue from checkpoint.h5 in the directory
   std::vector<Observer*> observers = {};  ///< told of every step, output and breakpoint; must outlive the run
   /// CSV file with one row per contact iteration (time,contact_solve,set_change,iteration,method,residual,active);

@@ -7,7 +7,7 @@
 
 #include "../file_text.hpp"
 #include "creepcontact/base/error.hpp"
-#include "vtk_cells.hpp"
+#include "creepcontact/io/fields/vtk_cells.hpp"
 #include "vtu_file.hpp"
 
 namespace creepcontact::io {

@@ -12,7 +12,7 @@
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/platform/replace_file.hpp"
-#include "vtk_cells.hpp"
+#include "creepcontact/io/fields/vtk_cells.hpp"
 #include "vtk_encoding.hpp"
 #include "vtu_document.hpp"
 

@@ -1,4 +1,4 @@
-#include "vtk_cells.hpp"
+#include "creepcontact/io/fields/vtk_cells.hpp"
 
 #include <array>
 #include <numeric>

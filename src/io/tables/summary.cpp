@@ -146,7 +146,7 @@ double Summary::Heat::largest() const {
   return result;
 }
 
-void write_summary(const std::filesystem::path& path, const Summary& summary) {
+std::string summary_text(const Summary& summary) {
   Json json{{"title", summary.title}, {"units", summary.units}, {"version", summary.version}};
   for (const auto& [name, file] : summary.libraries) json["libraries"][name] = file;
   for (const auto& [material, sources] : summary.sources) json["sources"][material] = sources;
@@ -188,8 +188,12 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   json["accuracy"] = accuracy_json(summary.accuracy);
   if (!summary.warnings.empty()) json["warnings"] = summary.warnings;
   // Text that is not UTF-8 (a title in another encoding) must not prevent the summary.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_summary(const std::filesystem::path& path, const Summary& summary) {
   platform::replace_file(
-      path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n",
+      path, summary_text(summary),
       summary.status == Summary::Status::interrupted ? platform::Durable::when_synced : platform::Durable::at_once);
 }
 

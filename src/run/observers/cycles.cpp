@@ -61,7 +61,7 @@ Cycles::Cycles(const RunContext& context)
         "no row in cycles.csv and does not count for fatigue",
         context.begin, loads_.ended_by(context.begin) + 1);
   together(context.team(), [&] {
-    if (!context.observed.is_root()) return;
+    if (!context.observed.is_root() || context.directory.empty()) return;
     const std::filesystem::path path = context.directory / "cycles.csv";
     file_ = std::make_unique<io::CsvFile>(
         path, cycle_columns(context.assembly(), watch_, config.probes),

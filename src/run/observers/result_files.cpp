@@ -47,7 +47,7 @@ class ResultFiles final : public Observer {
 }  // namespace
 
 std::unique_ptr<Observer> write_result_files(const RunContext& context) {
-  return std::make_unique<ResultFiles>(context);
+  return context.directory.empty() ? nullptr : std::make_unique<ResultFiles>(context);
 }
 
 }  // namespace creepcontact::run

@@ -191,6 +191,8 @@ struct Summary : RunCounters {
 std::string opening_text(const Summary& summary, const Summary::Contact& contact,
                          const std::function<std::string(double)>& time);
 
+/// What write_summary() writes: JSON.
+std::string summary_text(const Summary& summary);
 /// Replaces the file atomically. Cost: small; may be called at every output time.
 /// @throws Error if the disk cannot take it
 void write_summary(const std::filesystem::path& path, const Summary& summary);
