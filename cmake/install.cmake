@@ -1,6 +1,7 @@
 # cmake --install: program, its manual page, completion in bash, documentation, example configurations, headers,
 # libraries and the CMake package `creepcontact`
-# (find_package(creepcontact), targets creepcontact::base, creepcontact::run, ...). Component `program` is what a user needs,
+# (find_package(creepcontact), targets creepcontact::base, creepcontact::run, ...). Component `program` is what a user needs, `python` the
+# package for Python,
 # `development` the rest.
 include(CMakePackageConfigHelpers)
 
@@ -10,6 +11,16 @@ if(TARGET creepcontact)
   install(TARGETS creepcontact_optimizer LIBRARY DESTINATION ${companions_directory} COMPONENT program)
   install(FILES docs/creepcontact.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
   install(FILES completions/creepcontact DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
+endif()
+if(TARGET creepcontact_python)
+  if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+    set(python_directory lib/python3/dist-packages)  # that of Debian's packages
+  else()
+    set(python_directory lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/dist-packages)
+  endif()
+  install(TARGETS creepcontact_python LIBRARY DESTINATION ${python_directory}/creepcontact COMPONENT python)
+  install(FILES ${python_sources} DESTINATION ${python_directory}/creepcontact COMPONENT python)
+  install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-creepcontact COMPONENT python RENAME copyright)
 endif()
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program RENAME copyright)

@@ -41,6 +41,9 @@ _MESHIO = {"point1": "vertex", "line2": "line", "line3": "line3", "tri3": "trian
            "hex20": "hexahedron20", "hex27": "hexahedron27", "wedge6": "wedge", "wedge15": "wedge15"}
 
 
+_TIMES = ("s", "min", "h", "d", "a")
+
+
 class Mesh:
     """Points and cells of all bodies, one body after the other, as they were before the deformation.
 
@@ -357,7 +360,9 @@ class Run:
             positive = history["time"][history["time"] > 0]
             if log_time and len(positive) > 1 and positive[-1] > 1000 * positive[0]:
                 panel.set_xscale("symlog", linthresh=positive[0])
-        panels[-1].set_xlabel("time")
+        words = [word.strip() for word in str(self.summary.get("units", "")).split(",")]
+        unit = next((word for word in words if word in _TIMES), "")
+        panels[-1].set_xlabel(f"time [{unit}]" if unit else "time")
         return figure
 
     def __repr__(self) -> str:
