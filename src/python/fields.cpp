@@ -20,7 +20,7 @@ py::array_t<double> points_of(const io::FieldMesh& mesh) {
   return array_of(std::move(values), 3);
 }
 
-/// By block: the type, its number in VTK, and the nodes of the cells in the order of VTK.
+/// For each block the type, its number in VTK, and the nodes of the cells in the order of VTK.
 py::list cells_of(const io::FieldMesh& mesh) {
   py::list blocks;
   for (const mesh::CellBlock& block : mesh.blocks) {

@@ -12,7 +12,7 @@ namespace {
 
 using Points = std::vector<std::array<double, 2>>;  // creep life used, fatigue life used
 
-/// By material with fatigue data: the diagram from (0, 1) through the points of the configuration to (1, 0).
+/// The diagrams of the materials with fatigue data: each from (0, 1) through the points of the configuration to (1, 0).
 std::map<std::string, Points> interaction_diagrams(const std::vector<io::RecordedInput>& inputs) {
   constexpr std::string_view before = "materials.", after = ".fatigue.";
   std::map<std::string, Points> all;

@@ -29,8 +29,8 @@ class BlockedSignals {
 };
 
 /// While an object of this class lives, a signal is a request that the owner polls; the same signal once more ends the
-/// process at once. The first object replaces the handlers, the last one restores them. Each object belongs to one thread; several
-/// threads may have their own, which all get the request.
+/// process at once. The first object replaces the handlers, the last one restores them. Each object belongs to one
+/// thread; several threads may have their own, which all get the request.
 class Interrupt {
  public:
   Interrupt();

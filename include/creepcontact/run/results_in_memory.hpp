@@ -28,7 +28,7 @@ class ResultsInMemory final : public Observer {
   const std::vector<double>& probe_values() const { return probe_values_; }
   const std::vector<io::StepRow>& steps() const { return steps_; }
   const std::map<double, results::OutputFields>& fields() const { return fields_; }
-  /// Of the fields; empty before the first output. Without fields too.
+  /// The mesh of the fields, also where none are wanted; empty before the first output.
   const io::FieldMesh& mesh() const { return mesh_; }
   const io::FieldMesh& contact_mesh() const { return contact_mesh_; }
   /// The nodes of the named groups of the mesh, numbered as the points of mesh(), by name.

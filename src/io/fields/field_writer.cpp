@@ -11,8 +11,8 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
-#include "creepcontact/platform/replace_file.hpp"
 #include "creepcontact/io/fields/vtk_cells.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 #include "vtk_encoding.hpp"
 #include "vtu_document.hpp"
 
