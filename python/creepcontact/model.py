@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import inspect
+import itertools
 import logging
 import os
 import re
 import tomllib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +17,8 @@ from .errors import ConfigError, SolverError
 from .results import Run
 
 logger = logging.getLogger("creepcontact")
+_VARIABLES = ["q", "T", "t", "eps"]
+_numbers = itertools.count(1)  # a rate is another one, whatever its name
 _LEVELS = (logging.DEBUG, logging.INFO, logging.WARNING, logging.ERROR)
 
 
@@ -100,7 +104,8 @@ class Model:
             self._text, self._file = None, Path(source)
         self._trusts = trust_geometry
         self._values: dict[str, Any] = dict(set or {})
-        self._kept = _core.Kept()
+        self._kept, self._raised = _core.Kept(), _core.Raised()
+        self._rates: dict[str, tuple[Any, ...]] = {}
         self._read(self._values)
 
     def _read(self, values: Mapping[str, Any]) -> None:
@@ -113,6 +118,11 @@ class Model:
         except ConfigError as error:  # the option of the command is the argument `set` here
             raise ConfigError(re.sub(r"^--set ", "set ", str(error), flags=re.M)) from None
         config.trust_geometry(self._trusts)
+        for material, (text, variables, function, derivative) in self._rates.items():
+            if hasattr(function, "address"):
+                config.set_rate_at(material, text, variables, function.address, function)
+            else:
+                config.set_rate(material, text, variables, function, derivative, self._raised)
         self._config, self._document = config, None
 
     def __getstate__(self) -> Any:
@@ -152,6 +162,35 @@ class Model:
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *_keys.schema().below]
 
+    def set_rate(self, material: str, rate: Callable[..., Any], derivative: Callable[..., Any] | None = None,
+                 uses: Sequence[str] | None = None) -> None:
+        """Gives a material a creep law of your own, instead of those of the configuration.
+
+        rate: the equivalent creep rate of arrays q (von Mises stress), T, t and eps (creep strain of this law so far),
+            one entry for each point; a parameter that the function does not name is not passed. It must be a pure
+            function, of positive values. Or a function compiled by numba.cfunc("float64(float64, float64, float64,
+            float64)") with the arguments q, T, t, eps, which any thread calls without the interpreter.
+        derivative: of the same arguments; returns df/dq and df/deps. Without it differences are taken, in four further
+            calls.
+        uses: the arguments in their order, where the function does not tell them; a compiled one: those that it
+            depends on.
+        An exception in it ends the run and is raised there.
+        """
+        if uses is None:
+            uses = _VARIABLES if hasattr(rate, "address") else list(inspect.signature(rate).parameters)
+        wrong = [name for name in uses if name not in _VARIABLES]
+        if wrong or not uses:
+            raise ValueError(f"a rate has arguments of {', '.join(_VARIABLES)}; found: {', '.join(wrong) or 'none'}")
+        text = f"{getattr(rate, '__qualname__', None) or type(rate).__name__} of Python, {next(_numbers)}"
+        before = dict(self._rates)
+        self._rates[material] = (text, list(uses), rate, derivative)
+        try:
+            self._read(self._values)
+        except Exception:
+            self._rates = before
+            self._read(self._values)
+            raise
+
     def to_toml(self) -> str:
         """The configuration as a file would have it, without keys that have their defaults."""
         return self._config.to_toml()
@@ -159,8 +198,9 @@ class Model:
     def variant(self, set: Mapping[str, Any] | None = None) -> Model:
         """Another model with further values, which shares the kept mesh and factors."""
         other = object.__new__(Model)
-        for member in ("_text", "_file", "_trusts", "_kept"):
+        for member in ("_text", "_file", "_trusts", "_kept"):  # shared
             object.__setattr__(other, member, getattr(self, member))
+        other._raised, other._rates = _core.Raised(), dict(self._rates)
         other._values = self._values | dict(set or {})
         other._read(other._values)
         return other
@@ -206,7 +246,7 @@ class Model:
         probes = config.probes
         result = _core.run(config=config, kept=self._kept, threads=threads,
                            output=None if output is None else os.fspath(output), resume=resume,
-                           observers=[_Observer(observer, probes) for observer in observers], log=_log)
+                           observers=[_Observer(observer, probes) for observer in observers], log=_log, raised=self._raised)
         run = Run.in_memory(result, probes) if output is None else Run.in_directory(Path(output))
         if result.exit_status == 0:
             return run

@@ -52,6 +52,18 @@ struct Composition final : Function::Definition {
   std::function<double(const std::vector<double>&)> combine;
 };
 
+struct Batched final : Function::Definition {
+  Batched(std::string written, std::shared_ptr<const BatchedFunction> given)
+      : Definition(std::move(written)), evaluation(std::move(given)) {}
+  double value(const Arguments& at) const override {
+    double result = 0;
+    evaluation->evaluate({&at, 1}, {&result, 1});
+    return result;
+  }
+  const BatchedFunction* batch() const override { return evaluation.get(); }
+  std::shared_ptr<const BatchedFunction> evaluation;
+};
+
 [[noreturn]] void throw_parser_error(const std::string& text, const std::vector<std::string>& allowed,
                                      const mu::ParserError& error) {
   throw std::invalid_argument(fmt::format("'{}': {} (position {}; allowed variables: {})", text, error.GetMsg(),
@@ -87,6 +99,17 @@ Function Function::composed(const std::string& text, std::vector<Function> parts
   for (const Function& part : made->parts)
     made->variables.insert(part.definition_->variables.begin(), part.definition_->variables.end());
   return Function(std::move(made));
+}
+
+Function Function::batched(const std::string& text, const std::vector<std::string>& variables,
+                           std::shared_ptr<const BatchedFunction> evaluation) {
+  auto made = std::make_shared<Batched>(text, std::move(evaluation));
+  made->variables.insert(variables.begin(), variables.end());
+  return Function(std::move(made));
+}
+
+const BatchedFunction* Function::batch() const {
+  return definition_->batch();
 }
 
 double Function::operator()(const Arguments& at) const {

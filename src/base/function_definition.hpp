@@ -18,6 +18,7 @@ struct Function::Definition {
   virtual double value(const Arguments& at) const = 0;
   /// Up to `end`.
   virtual std::vector<double> breakpoints(double /*end*/) const { return {}; }
+  virtual const BatchedFunction* batch() const { return nullptr; }
   virtual std::optional<double> period() const { return std::nullopt; }
   virtual std::optional<Interval> table_range(const std::string& /*variable*/) const { return std::nullopt; }
 

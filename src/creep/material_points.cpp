@@ -19,7 +19,9 @@ MaterialPoints::MaterialPoints(const mechanics::Body& body, double min_strain)
       min_strain_(min_strain) {
   std::size_t n_state = 6;
   for (const auto& law : body.material().creep) {
+    prepares_ = prepares_ || law->n_prepared() > 0;
     mechanisms_.push_back({.law = law.get(),
+                           .number = mechanisms_.size(),
                            .internal = {n_state, static_cast<std::size_t>(law->n_internal())},
                            .parameters = {n_parameters_, static_cast<std::size_t>(law->n_parameters())}});
     n_state += mechanisms_.back().internal.size;
@@ -71,6 +73,13 @@ void MaterialPoints::update(const mechanics::BodyConditions& at, LawParameters& 
   into.evaluated = true;
 }
 
+std::span<const double> MaterialPoints::prepared_for(const Mechanism& mechanism, std::size_t p, const PointsState& at) {
+  if (at.prepared == nullptr || at.prepared->empty()) return {};
+  const std::vector<double>& values = (*at.prepared)[mechanism.number];
+  const std::size_t n = mechanism.law->n_prepared();
+  return values.empty() ? std::span<const double>() : std::span(values).subspan(n * p, n);
+}
+
 material::PointState MaterialPoints::state_for(const Mechanism& mechanism, std::size_t p, const PointsState& at,
                                                const SeenStress& stress) const {
   const LawParameters& laws = at.laws;
@@ -82,7 +91,34 @@ material::PointState MaterialPoints::state_for(const Mechanism& mechanism, std::
           .parameters = parameters.of(std::span(laws.values)),
           .time = laws.time,
           .temperature = laws.temperature.empty() ? body_.material().reference_temperature : laws.temperature[p],
-          .min_strain = min_strain_};
+          .min_strain = min_strain_,
+          .prepared = prepared_for(mechanism, p, at)};
+}
+
+std::vector<std::vector<double>> MaterialPoints::prepare(const PointsState& at, bool with_derivatives) const {
+  if (!prepares_) return {};
+  std::vector<std::vector<double>> prepared;
+  std::vector<Tensor6> stresses(n_points_);
+  for (const Mechanism& mechanism : mechanisms_) {
+    prepared.emplace_back();
+    if (mechanism.law->n_prepared() == 0) continue;
+    std::vector<material::PointState> points;
+    points.reserve(n_points_);
+    for (std::size_t p = 0; p < n_points_; ++p) {
+      const SeenStress seen(*this, p, tensor::view(at.stress, p));
+      stresses[p] = seen.of(*mechanism.law);
+      material::PointState point = state_for(mechanism, p, at, seen);
+      points.push_back({.stress = tensor::view(stresses[p]),
+                        .creep_strain = point.creep_strain,
+                        .internal = point.internal,
+                        .parameters = point.parameters,
+                        .time = point.time,
+                        .temperature = point.temperature,
+                        .min_strain = point.min_strain});
+    }
+    prepared.back() = mechanism.law->prepare(points, with_derivatives);
+  }
+  return prepared;
 }
 
 MaterialPoints::LawStress::LawStress(const MaterialPoints& points, std::span<const double> stress) : given_(stress) {
@@ -102,7 +138,9 @@ void add(const material::StressTangent& part, material::StressTangent& sum) {
 void MaterialPoints::rate(const PointsState& given, std::span<double> rate,
                           std::span<material::StressTangent> tangents) const {
   const LawStress stress(*this, given.stress);
-  const PointsState at{given.laws, given.elastic, stress, given.state};
+  PointsState at{given.laws, given.elastic, stress, given.state};
+  const auto prepared = prepare(at, !tangents.empty());
+  at.prepared = &prepared;
   const auto for_each_law = [&](std::size_t p, const auto& evaluate) {
     const std::span<double> own = of_point(p, rate);
     const SeenStress seen(*this, p, tensor::view(at.stress, p));
@@ -126,7 +164,9 @@ void MaterialPoints::rate(const PointsState& given, std::span<double> rate,
 
 void MaterialPoints::tangents(const PointsState& given, std::span<material::StressTangent> into) const {
   const LawStress stress(*this, given.stress);
-  const PointsState at{given.laws, given.elastic, stress, given.state};
+  PointsState at{given.laws, given.elastic, stress, given.state};
+  const auto prepared = prepare(at, true);
+  at.prepared = &prepared;
   numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
     const SeenStress seen(*this, p, tensor::view(at.stress, p));
     material::StressTangent sum;
@@ -139,7 +179,9 @@ void MaterialPoints::tangents(const PointsState& given, std::span<material::Stre
 void MaterialPoints::derivative(const PointsState& given, const PointsChange& given_change,
                                 std::span<double> rate_change) const {
   const LawStress stress(*this, given.stress), stress_change(*this, given_change.stress);
-  const PointsState at{given.laws, given.elastic, stress, given.state};
+  PointsState at{given.laws, given.elastic, stress, given.state};
+  const auto prepared = prepare(at, true);
+  at.prepared = &prepared;
   const PointsChange change{stress_change, given_change.state};
   numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
     derivative_at(p, at, {.stress = {change.stress.data() + 6 * p, 6}, .state = of_point(p, change.state)},
@@ -238,9 +280,13 @@ double MaterialPoints::stiffest_at(std::size_t p, const PointsState& at, Eigen::
   return size;
 }
 
-double MaterialPoints::stiffest_rate(const PointsState& at, std::span<const material::StressTangent> tangents) const {
+double MaterialPoints::stiffest_rate(const PointsState& given,
+                                     std::span<const material::StressTangent> tangents) const {
   double stiffest = 0;
-  const bool is_uniform = this->is_uniform(at);
+  const bool is_uniform = this->is_uniform(given);
+  PointsState at = given;
+  const auto prepared = has_closed_form() ? std::vector<std::vector<double>>() : prepare(at, true);
+  at.prepared = &prepared;
 #pragma omp parallel reduction(max : stiffest) if (n_points_ >= numerics::parallel_points)
   {
     Eigen::VectorXd v(stride_), product(stride_);

@@ -101,7 +101,10 @@ void MaterialTangent::prepare_point(std::size_t p, double gamma, const PointsSta
   moduli_[p] = modulus(at.elastic, p, eliminated.topRightCorner<6, 6>());
 }
 
-void MaterialTangent::prepare(double gamma, const PointsState& at) {
+void MaterialTangent::prepare(double gamma, const PointsState& given) {
+  PointsState at = given;
+  const auto prepared = points_.prepare(at, true);
+  at.prepared = &prepared;
   moduli_.resize(n_points_);
   eliminated_.resize(n_points_ * stride_ * (stride_ + 6));  // far more than the state: not before it is needed
   if (points_.is_linear())
@@ -117,8 +120,11 @@ void MaterialTangent::prepare(double gamma, const PointsState& at) {
   }
 }
 
-void MaterialTangent::solve_points(double gamma, const PointsState& at, std::span<const double> r,
+void MaterialTangent::solve_points(double gamma, const PointsState& given, std::span<const double> r,
                                    std::span<double> z) const {
+  PointsState at = given;
+  const auto prepared = points_.prepare(at, true);
+  at.prepared = &prepared;
   if (points_.is_linear())
     return for_each_linear_point(points_, gamma, at, [&](std::size_t p, const LinearElimination& linear) {
       linear.solve(r.subspan(p * stride_, stride_), z.subspan(p * stride_, stride_));

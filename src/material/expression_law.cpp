@@ -12,6 +12,9 @@ namespace {
 
 constexpr double step = 3e-6;  // of central differences, relative: their error and that of rounding are 1e-10
 
+/// What ExpressionLaw::prepare() finds, by its place: f, and the members of HardeningRate.
+enum Prepared { prepared_rate, prepared_mean, prepared_by_stress, prepared_by_strain };
+
 /// Exponent p of a power law through two points.
 double slope(double near, double far, double value_near, double value_far) {
   const double p = std::log(value_far / value_near) / std::log(far / near);
@@ -36,18 +39,58 @@ double ExpressionLaw::value(double q, double eps, double t, double T) const {
 }
 
 double ExpressionLaw::equivalent_rate(double q, double eps, const PointState& at) const {
-  const double f = value(q, eps, at.time, at.temperature);
+  const double f = !at.prepared.empty() ? at.prepared[prepared_rate] : value(q, eps, at.time, at.temperature);
   return f >= 0.0 ? f : std::numeric_limits<double>::quiet_NaN();
 }
 
 HardeningRate ExpressionLaw::linearized_rate(double q, double eps, const PointState& at) const {
   const auto f = [&](double stress, double strain) { return value(stress, strain, at.time, at.temperature); };
   HardeningRate result;
+  if (!at.prepared.empty())
+    return {at.prepared[prepared_mean], at.prepared[prepared_by_stress], at.prepared[prepared_by_strain]};
   const double above = f(q * (1 + step), eps), below = f(q * (1 - step), eps);
   result.value = 0.5 * (above + below);
   result.by_stress = (above - below) / (2 * step * q);
   if (n_internal() > 0) result.by_strain = (f(q, eps * (1 + step)) - f(q, eps * (1 - step))) / (2 * step * eps);
   return result;
+}
+
+std::vector<double> ExpressionLaw::prepare(std::span<const PointState> at, bool with_derivatives) const {
+  const BatchedFunction& batch = *rate_.batch();
+  const std::size_t n = at.size();
+  std::vector<Arguments> here(n);
+  for (std::size_t p = 0; p < n; ++p) {
+    const double q = deviator(at[p].stress).q;
+    here[p] = {.t = at[p].time, .T = at[p].temperature, .q = q > 0 ? q : vanishing_stress, .eps = strain(at[p])};
+  }
+  std::vector<double> prepared(n_prepared() * n), values(n), others(n);
+  const auto set = [&](Prepared column, const auto& of_point) {
+    for (std::size_t p = 0; p < n; ++p) prepared[n_prepared() * p + column] = of_point(p);
+  };
+  batch.evaluate(here, values);
+  set(prepared_rate, [&](std::size_t p) { return values[p]; });
+  if (!with_derivatives) return prepared;
+  set(prepared_mean, [&](std::size_t p) { return values[p]; });
+  std::vector<double> by_strain(n);
+  if (batch.differentiate(here, values, by_strain)) {
+    set(prepared_by_stress, [&](std::size_t p) { return values[p]; });
+    set(prepared_by_strain, [&](std::size_t p) { return by_strain[p]; });
+    return prepared;
+  }
+  const auto shifted = [&](double Arguments::*member, double factor, std::vector<double>& into) {
+    std::vector<Arguments> there = here;
+    for (Arguments& one : there) one.*member *= factor;
+    batch.evaluate(there, into);
+  };
+  shifted(&Arguments::q, 1 + step, values);
+  shifted(&Arguments::q, 1 - step, others);
+  set(prepared_mean, [&](std::size_t p) { return 0.5 * (values[p] + others[p]); });
+  set(prepared_by_stress, [&](std::size_t p) { return (values[p] - others[p]) / (2 * step * here[p].q); });
+  if (n_internal() == 0) return prepared;
+  shifted(&Arguments::eps, 1 + step, values);
+  shifted(&Arguments::eps, 1 - step, others);
+  set(prepared_by_strain, [&](std::size_t p) { return (values[p] - others[p]) / (2 * step * here[p].eps); });
+  return prepared;
 }
 
 ExpressionLaw::Singularity ExpressionLaw::singularity(double q, const PointState& at) const {

@@ -38,13 +38,14 @@ class HardeningLaw : public CreepLaw {
   void increment(const PointState& at, double duration, PointIncrement into) const final;
   bool evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const final;
 
+  /// The accumulated strain that equivalent_rate() sees.
+  double strain(const PointState& at) const;
+
  protected:
   /// @param accumulates  false: f does not depend on eps, and there is no internal variable
   HardeningLaw(const ParameterValues& constants, bool accumulates) : CreepLaw(constants), accumulates_(accumulates) {}
 
  private:
-  double strain(const PointState& at) const;
-
   bool accumulates_;
 };
 

@@ -1,16 +1,20 @@
 /// Configurations and the keys that they may have.
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <sstream>
 
 #include "bindings.hpp"
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/suggestion.hpp"
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/config/schema.hpp"
 #include "creepcontact/config/writer.hpp"
 #include "creepcontact/run/check.hpp"
 #include "creepcontact/run/vocabulary.hpp"
+#include "user_rate.hpp"
 
 namespace creepcontact::python {
 namespace {
@@ -55,9 +59,26 @@ std::string check(const config::Config& config, bool start) {
   return text.str();
 }
 
+/// The one mechanism of a material is the law `expression` with this rate.
+void set_rate(config::Config& config, const std::string& name, Function rate) {
+  std::vector<std::string> names;
+  for (config::Material& material : config.materials) {
+    names.push_back(material.name);
+    if (material.name != name) continue;
+    config::CreepMechanism mechanism;
+    mechanism.law = "expression";
+    mechanism.depends_on_temperature = rate.depends_on_temperature();
+    mechanism.parameters.push_back({.key = "rate", .values = {std::move(rate)}});
+    material.creep = {std::move(mechanism)};
+    return;
+  }
+  throw ConfigError(fmt::format("there is no material '{}'{}", name, did_you_mean(name, names)));
+}
+
 }  // namespace
 
 void bind_configuration(py::module_& module) {
+  py::class_<Raised, std::shared_ptr<Raised>>(module, "Raised").def(py::init<>());
   py::class_<config::Config>(module, "Config")
       .def_static(
           "read",
@@ -81,6 +102,17 @@ void bind_configuration(py::module_& module) {
              config.output.fields = true;
              config.output.field_times.reset();
              return config;
+           })
+      .def("set_rate",
+           [](config::Config& config, const std::string& material, const std::string& text,
+              const std::vector<std::string>& variables, const py::object& function, const py::object& derivative,
+              const std::shared_ptr<Raised>& raised) {
+             set_rate(config, material, rate_of_python(text, variables, function, derivative, raised));
+           })
+      .def("set_rate_at",
+           [](config::Config& config, const std::string& material, const std::string& text,
+              const std::vector<std::string>& variables, std::uintptr_t address, const py::object& owner) {
+             set_rate(config, material, rate_at_address(text, variables, address, owner));
            })
       .def("trust_geometry", [](config::Config& config, bool trusted) { config.mesh.trust_geometry = trusted; })
       .def_property_readonly("end", [](const config::Config& config) { return config.time.end; })

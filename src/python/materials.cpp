@@ -2,9 +2,12 @@
 
 #include "creepcontact/model/materials.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <optional>

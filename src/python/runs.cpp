@@ -13,6 +13,7 @@
 #include "creepcontact/run/report.hpp"
 #include "creepcontact/run/results_in_memory.hpp"
 #include "creepcontact/run/run.hpp"
+#include "user_rate.hpp"
 
 namespace creepcontact::python {
 namespace {
@@ -105,7 +106,7 @@ struct RunResult {
 
 std::unique_ptr<RunResult> run_model(const config::Config& config, run::Kept& kept, int threads,
                                      const std::optional<std::string>& output, bool resume, const py::list& observers,
-                                     const py::object& log_function) {
+                                     const py::object& log_function, Raised& raised) {
   auto result = std::make_unique<RunResult>();
   std::vector<std::unique_ptr<PythonObserver>> calling;
   for (const py::handle& observer : observers)
@@ -130,6 +131,7 @@ std::unique_ptr<RunResult> run_model(const config::Config& config, run::Kept& ke
     }
   }
   for (const auto& one : calling) one->raise();
+  raised.raise();
   if (failure) std::rethrow_exception(failure);
   return result;
 }
@@ -211,7 +213,7 @@ void bind_runs(py::module_& module) {
         return groups;
       });
   module.def("run", run_model, py::arg("config"), py::arg("kept"), py::arg("threads"), py::arg("output"),
-             py::arg("resume"), py::arg("observers"), py::arg("log"));
+             py::arg("resume"), py::arg("observers"), py::arg("log"), py::arg("raised"));
 }
 
 }  // namespace creepcontact::python

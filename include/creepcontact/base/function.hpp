@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,19 @@ struct Arguments {
 /// A closed interval.
 struct Interval {
   double low = 0, high = 0;
+};
+
+/// A function that is evaluated at many points at once. May be called by several threads.
+class BatchedFunction {
+ public:
+  virtual ~BatchedFunction() = default;
+  /// @param at  arguments @param values  as many
+  virtual void evaluate(std::span<const Arguments> at, std::span<double> values) const = 0;
+  /// Sets the derivatives by q and eps instead, if it knows them. @returns false if it does not
+  virtual bool differentiate(std::span<const Arguments> /*at*/, std::span<double> /*by_stress*/,
+                             std::span<double> /*by_strain*/) const {
+    return false;
+  }
 };
 
 /// A scalar function. Value semantics; copies share the immutable definition. Any number of threads may evaluate it
@@ -53,6 +67,11 @@ class Function {
   static Function composed(const std::string& text, std::vector<Function> parts,
                            std::function<double(const std::vector<double>&)> value);
 
+  /// A function that code of the caller evaluates, at many points at once where it can (batch()).
+  /// @param text  identifies it: functions with equal texts must be equal @param variables  that it depends on
+  static Function batched(const std::string& text, const std::vector<std::string>& variables,
+                          std::shared_ptr<const BatchedFunction> evaluation);
+
   /// Index of the first abscissa that is not allowed after its predecessor in a table in this variable; the number of
   /// abscissae if all are allowed.
   static std::size_t misplaced_point(const std::string& variable, const std::vector<double>& abscissae);
@@ -62,6 +81,9 @@ class Function {
 
   /// Value at a point; NaN and infinity are possible. Cost: a parsed expression, a search in a table, or none.
   double operator()(const Arguments& at) const;
+
+  /// How to evaluate it at many points at once; null: only point by point.
+  const BatchedFunction* batch() const;
 
   bool is_constant() const;
   bool is_zero() const;

@@ -26,6 +26,8 @@ struct PointsState {
   mechanics::ElasticState elastic;
   std::span<const double> stress;  ///< n_points x 6, Mandel order
   std::span<const double> state;   ///< n_points x stride: this body's part of y
+  /// Per law: CreepLaw::n_prepared() numbers per point. Set by MaterialPoints; null: nothing is prepared.
+  const std::vector<std::vector<double>>* prepared = nullptr;
 };
 
 /// A direction of change of stress and state, at all points of a body or at a single one. Refers to values of the
@@ -64,6 +66,10 @@ class MaterialPoints {
   /// Evaluates the parameters at the temperature of `at`; no work if they are up to date.
   /// @param into  from an earlier call, or new @throws ModelError if a parameter is not admissible
   void update(const mechanics::BodyConditions& at, LawParameters& into) const;
+
+  /// What the laws prepare at all points together, by law; empty if none does: for PointsState::prepared of many calls
+  /// of derivative_at(). The other functions do it themselves.
+  std::vector<std::vector<double>> prepare(const PointsState& at, bool with_derivatives) const;
 
   // The rates of all points and their directional derivative, n_points x stride. Cost: one pass over the points.
   /// @param tangents  of all points, set to what tangents() gives; or empty
@@ -143,8 +149,9 @@ class MaterialPoints {
   /// One law, and its parts of state and parameters.
   struct Mechanism {
     const material::CreepLaw* law;
-    Part internal;    // of the state of a point
-    Part parameters;  // of the parameters of all laws
+    std::size_t number;  // of the law
+    Part internal;       // of the state of a point
+    Part parameters;     // of the parameters of all laws
   };
   /// The entries of point p in an array n_points x stride.
   template <typename Number>
@@ -154,6 +161,7 @@ class MaterialPoints {
   /// @param stress  as the law sees it, seen_stress()
   material::PointState state_for(const Mechanism& mechanism, std::size_t p, const PointsState& at,
                                  const SeenStress& stress) const;
+  static std::span<const double> prepared_for(const Mechanism& mechanism, std::size_t p, const PointsState& at);
   /// Largest eigenvalue of the Jacobian of point p by power iteration.
   double stiffest_at(std::size_t p, const PointsState& at, Eigen::VectorXd& v, Eigen::VectorXd& product) const;
 
@@ -174,6 +182,7 @@ class MaterialPoints {
   bool is_linear_ = true;                              // likewise
   bool fits_mean_stress_ = false;                      // a law needs it and the elements support it
   bool depends_on_temperature_ = false;                // true if some parameter does
+  bool prepares_ = false;                              // true if some law does
 };
 
 }  // namespace creepcontact::creep

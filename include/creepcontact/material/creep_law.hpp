@@ -28,6 +28,8 @@ struct PointState {
   /// Lower bound on the strain in hardening laws: smaller strains count as this. It is small compared with the accuracy
   /// of the strain, but large enough that Newton corrections relative to it are not negligible.
   double min_strain = 1e-10;
+  /// What CreepLaw::prepare() has found for this point; empty: nothing.
+  std::span<const double> prepared = {};
 };
 
 /// A direction of change of the state that a law sees, for derivatives.
@@ -121,6 +123,15 @@ class CreepLaw {
   /// Adds the growth over `duration` from at.time on, at constant stress: the closed form of a law with a singular
   /// start. By default: duration times the rate.
   virtual void increment(const PointState& at, double duration, PointIncrement into) const;
+
+  /// Numbers per point that prepare() finds; 0: the law is evaluated point by point alone.
+  virtual std::size_t n_prepared() const { return 0; }
+  /// Evaluates what rate(), derivative() and stress_tangent() need, at all points at once: a law whose evaluation costs
+  /// more than a point is worth. They are right without it too.
+  /// @param with_derivatives  false: only rate() follows @returns n_prepared() numbers per point
+  virtual std::vector<double> prepare(std::span<const PointState> /*at*/, bool /*with_derivatives*/) const {
+    return {};
+  }
 
   /// True if whole cycles change its internal variables, beyond the integral of the rates.
   virtual bool counts_cycles() const { return false; }
