@@ -15,8 +15,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(--param=ggc-min-expand=400)
 endif()
 # The module for Python is a shared library. What the modules call of each other cannot be replaced in it either.
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-add_compile_options(-fno-semantic-interposition)
+# Not by CMAKE_POSITION_INDEPENDENT_CODE: precompiled headers would not serve both libraries and programs.
+add_compile_options(-fPIC -fno-semantic-interposition)
 if(CREEPCONTACT_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()

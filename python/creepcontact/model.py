@@ -12,6 +12,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from . import _core, _keys, _toml
 from .errors import ConfigError, SolverError
 from .results import Run
@@ -24,6 +26,18 @@ _LEVELS = (logging.DEBUG, logging.INFO, logging.WARNING, logging.ERROR)
 
 def _log(level: int, message: str) -> None:
     logger.log(_LEVELS[level], "%s", message)
+
+
+def _without_warnings(function: Any) -> Any:
+    """Where a rate is infinite, as some are at the first strain, numpy would warn."""
+    if function is None:
+        return None
+
+    def quiet(*arguments: Any) -> Any:
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            return function(*arguments)
+
+    return quiet
 
 
 class State:
@@ -122,7 +136,7 @@ class Model:
             if hasattr(function, "address"):
                 config.set_rate_at(material, text, variables, function.address, function)
             else:
-                config.set_rate(material, text, variables, function, derivative, self._raised)
+                config.set_rate(material, text, variables, _without_warnings(function), _without_warnings(derivative), self._raised)
         self._config, self._document = config, None
 
     def __getstate__(self) -> Any:

@@ -111,7 +111,9 @@ std::unique_ptr<RunResult> run_model(const config::Config& config, run::Kept& ke
   std::vector<std::unique_ptr<PythonObserver>> calling;
   for (const py::handle& observer : observers)
     calling.push_back(std::make_unique<PythonObserver>(py::reinterpret_borrow<py::object>(observer)));
-  run::RunOptions options{.writes_files = output.has_value(), .kept = &kept};
+  run::RunOptions options;
+  options.writes_files = output.has_value();
+  options.kept = &kept;
   options.resume = resume;
   if (output)
     options.output = *output;

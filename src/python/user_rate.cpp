@@ -1,7 +1,6 @@
 #include "user_rate.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <limits>
@@ -52,8 +51,8 @@ class RateOfPython final : public BatchedFunction {
   }
 
  private:
-  /// What Python raises is kept, for the caller of the run. The run ends, unless this is a parallel loop, which no
-  /// exception can leave.
+  /// What Python raises is kept, for the caller of the run. Many points are evaluated outside of loops over points,
+  /// which no exception can leave, so that it ends the run at once.
   template <typename Work>
   void guarded(std::span<double> values, const Work& work) const {
     const py::gil_scoped_acquire acquire;
@@ -64,7 +63,7 @@ class RateOfPython final : public BatchedFunction {
       raised_->keep(std::current_exception());
     }
     std::ranges::fill(values, std::numeric_limits<double>::quiet_NaN());
-    if (omp_in_parallel() == 0) throw SolverError(text_ + " has raised an exception");
+    if (values.size() > 1) throw SolverError(text_ + " has raised an exception");
   }
   py::object called(const py::object& function, std::span<const Arguments> at) const {
     py::tuple arguments(members_.size());
@@ -77,7 +76,7 @@ class RateOfPython final : public BatchedFunction {
   }
   void take(const py::object& given, std::span<double> values, const char* what) const {
     const Array array = Array::ensure(given);
-    if (!array) throw py::error_already_set();
+    if (!array) throw py::value_error(fmt::format("{}: {} is no array of numbers", text_, what));
     if (array.size() == 1)
       std::ranges::fill(values, array.data()[0]);
     else if (array.ndim() == 1 && array.size() == static_cast<py::ssize_t>(values.size()))

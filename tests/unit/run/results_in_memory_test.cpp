@@ -43,7 +43,7 @@ TEST(ResultsInMemory, OfCyclesThatAreJumpedOver) {
   const config::Config config = blocks.config(pressure_probe, cycles);
   ASSERT_EQ(run(config, {.output = (blocks / "out").string()}).exit_status, 0);
   ResultsInMemory memory(config);
-  ASSERT_EQ(run(config, {.writes_files = false, .observers = {&memory}}).exit_status, 0);
+  ASSERT_EQ(run(config, {.output = "", .writes_files = false, .observers = {&memory}}).exit_status, 0);
   const Table steps(blocks / "out/steps.csv");
   ASSERT_EQ(memory.steps().size(), steps.times().size());
   for (std::size_t i = 0; i < memory.steps().size(); ++i) EXPECT_EQ(memory.steps()[i].time, steps.times()[i]);
@@ -57,7 +57,7 @@ TEST(Kept, MeshesAndFactorsAreUsedAgain) {
     all.insert(all.end(), more.begin(), more.end());
     const config::Config config = blocks.config(pressure_probe, all);
     ResultsInMemory memory(config);
-    const Summary summary = run(config, {.writes_files = false, .kept = with, .observers = {&memory}});
+    const Summary summary = run(config, {.output = "", .writes_files = false, .kept = with, .observers = {&memory}});
     EXPECT_EQ(summary.exit_status, 0) << summary.message;
     return std::pair(memory.probe_values(), summary.results.factorizations);
   };
