@@ -76,7 +76,7 @@ class RateOfPython final : public BatchedFunction {
   }
   void take(const py::object& given, std::span<double> values, const char* what) const {
     const Array array = Array::ensure(given);
-    if (!array) throw py::value_error(fmt::format("{}: {} is no array of numbers", text_, what));
+    if (!array) throw py::value_error(fmt::format("{}: {} is not an array of numbers", text_, what));
     if (array.size() == 1)
       std::ranges::fill(values, array.data()[0]);
     else if (array.ndim() == 1 && array.size() == static_cast<py::ssize_t>(values.size()))

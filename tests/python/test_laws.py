@@ -93,7 +93,7 @@ class UserLaws(Case):
                         self.fail("the exception is lost")
 
     def test_wrong_shapes_and_values(self):
-        for rate, fact in ((lambda q: np.ones(3), "3 values for"), (lambda q: "fast", "no array of numbers"), (lambda q: {}, "no array of numbers")):
+        for rate, fact in ((lambda q: np.ones(3), "3 values for"), (lambda q: "fast", "not an array of numbers"), (lambda q: {}, "not an array of numbers")):
             with self.subTest(fact=fact), self.assertRaises((ValueError, TypeError)) as caught:
                 self.with_rate(rate).run()
             self.assertSays(caught.exception, fact)
