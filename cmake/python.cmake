@@ -18,6 +18,7 @@ creepcontact_extension(python creepcontact_python USES creepcontact_run PRIVATE_
                        creepcontact_model creepcontact_io creepcontact_material)
 set_target_properties(creepcontact_python PROPERTIES OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${python_package}
                       SUFFIX ".${Python3_SOABI}.so")
+target_link_options(creepcontact_python PRIVATE -Wl,--exclude-libs,ALL)  # other modules of the process have libraries of their own
 target_compile_definitions(creepcontact_python PRIVATE CREEPCONTACT_VERSION="${PROJECT_VERSION}")
 file(GLOB python_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/python/creepcontact/*.py
      ${PROJECT_SOURCE_DIR}/python/creepcontact/*.pyi ${PROJECT_SOURCE_DIR}/python/creepcontact/py.typed)
