@@ -1,6 +1,5 @@
 #include "creepcontact/model/mesh_store.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -15,7 +15,7 @@ namespace {
 fs::path program_directory() {
   static const int anchor = 0;
   Dl_info found{};
-  // Of a program the linker knows only how it was called.
+  // The linker knows a program only by how it was called.
   if (::dladdr(&anchor, &found) != 0 && found.dli_fname != nullptr)
     if (const fs::path library = found.dli_fname; library.extension() == ".so")
       return fs::absolute(library).parent_path();

@@ -18,6 +18,14 @@ void bind_runs(py::module_& module);
 void bind_fields(py::module_& module);
 void bind_materials(py::module_& module);
 
+/// An object that threads without the GIL may drop.
+inline std::shared_ptr<py::object> kept_for_threads(const py::object& object) {
+  return {new py::object(object), [](py::object* kept) {
+            const py::gil_scoped_acquire acquire;
+            delete kept;
+          }};
+}
+
 /// A read-only array over values that `owner` keeps alive; nothing is copied.
 inline py::array_t<double> view_of(const std::vector<double>& values, py::ssize_t columns, const py::handle& owner) {
   const auto rows = static_cast<py::ssize_t>(values.size()) / columns;

@@ -21,6 +21,11 @@ namespace {
 
 using Overrides = std::vector<std::string>;
 
+const config::Vocabulary& vocabulary() {
+  static const config::Vocabulary once = run::vocabulary();
+  return once;
+}
+
 const char* name_of(config::Form form) {
   switch (form) {
     case config::Form::table:
@@ -36,7 +41,7 @@ const char* name_of(config::Form form) {
 
 py::list keys() {
   py::list all;
-  for (const config::KeyInfo& key : config::schema(run::vocabulary())) {
+  for (const config::KeyInfo& key : config::schema(vocabulary())) {
     py::dict entry;
     entry["path"] = key.path;
     entry["type"] = key.type;
@@ -83,16 +88,16 @@ void bind_configuration(py::module_& module) {
       .def_static(
           "read",
           [](const std::filesystem::path& file, const Overrides& overrides) {
-            return config::read(file, run::vocabulary(), overrides);
+            return config::read(file, vocabulary(), overrides);
           },
           py::arg("file"), py::arg("overrides"))
       .def_static(
           "parse",
           [](const std::string& text, const std::filesystem::path& file, const Overrides& overrides) {
-            return config::parse(text, file, run::vocabulary(), overrides);
+            return config::parse(text, file, vocabulary(), overrides);
           },
           py::arg("text"), py::arg("file"), py::arg("overrides"))
-      .def("to_toml", [](const config::Config& config) { return config::to_toml(config, run::vocabulary()); })
+      .def("to_toml", [](const config::Config& config) { return config::to_toml(config, vocabulary()); })
       .def("check", check, py::arg("start"))
       .def("at_start",
            [](config::Config config) {

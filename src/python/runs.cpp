@@ -1,6 +1,5 @@
 /// Runs, with the results in memory or in a directory, and observers written in Python.
 
-#include <omp.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 
 #include "bindings.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/base/thread_count.hpp"
 #include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/run/report.hpp"
 #include "creepcontact/run/results_in_memory.hpp"
@@ -37,21 +37,17 @@ class View {
   run::StepView* view_;
 };
 
-/// Calls methods of an object of Python. An exception there ends the run, and is raised again after it.
+/// Calls methods of an object of Python. An exception there is kept, and ends the run.
 class PythonObserver final : public run::Observer {
  public:
-  explicit PythonObserver(py::object target) : target_(std::move(target)) {}
+  PythonObserver(py::object target, Raised& raised) : target_(std::move(target)), raised_(raised) {}
 
   run::Reaction step(run::StepView& view) override { return call("on_step", view); }
   void output(run::StepView& view) override { stops_ = call("on_output", view) == run::Reaction::stop || stops_; }
-  /// With the GIL. Raises what a call has raised.
-  void raise() {
-    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
-  }
 
  private:
   run::Reaction call(const char* method, run::StepView& view) {
-    if (stops_ || failure_) return run::Reaction::stop;
+    if (stops_) return run::Reaction::stop;
     const py::gil_scoped_acquire acquire;
     try {
       if (!py::hasattr(target_, method)) return run::Reaction::advance;
@@ -60,24 +56,21 @@ class PythonObserver final : public run::Observer {
       seen->close();
       if (answer.is_none() || answer.cast<bool>()) return run::Reaction::advance;
     } catch (...) {
-      failure_ = std::current_exception();
+      raised_.keep(std::current_exception());
     }
     stops_ = true;
     return run::Reaction::stop;
   }
 
   py::object target_;
+  Raised& raised_;
   bool stops_ = false;
-  std::exception_ptr failure_;
 };
 
 /// Gives messages to a function of Python, from any thread.
 std::shared_ptr<const log::Sink> sink_for(const py::object& function) {
-  const std::shared_ptr<py::object> kept(new py::object(function), [](py::object* object) {
-    const py::gil_scoped_acquire acquire;
-    delete object;
-  });
-  return std::make_shared<const log::Sink>([kept](log::Level level, std::string_view message) {
+  return std::make_shared<const log::Sink>([kept = kept_for_threads(function)](log::Level level,
+                                                                               std::string_view message) {
     const py::gil_scoped_acquire acquire;
     try {
       (*kept)(static_cast<int>(level), py::bytes(message.data(), message.size()).attr("decode")("utf-8", "replace"));
@@ -86,18 +79,6 @@ std::shared_ptr<const log::Sink> sink_for(const py::object& function) {
     }
   });
 }
-
-/// Threads of OpenMP for what this thread does, while it lives.
-class Threads {
- public:
-  explicit Threads(int n) : before_(omp_get_max_threads()) { omp_set_num_threads(n); }
-  ~Threads() { omp_set_num_threads(before_); }
-  Threads(const Threads&) = delete;
-  Threads& operator=(const Threads&) = delete;
-
- private:
-  int before_;
-};
 
 struct RunResult {
   run::Summary summary;
@@ -110,7 +91,7 @@ std::unique_ptr<RunResult> run_model(const config::Config& config, run::Kept& ke
   auto result = std::make_unique<RunResult>();
   std::vector<std::unique_ptr<PythonObserver>> calling;
   for (const py::handle& observer : observers)
-    calling.push_back(std::make_unique<PythonObserver>(py::reinterpret_borrow<py::object>(observer)));
+    calling.push_back(std::make_unique<PythonObserver>(py::reinterpret_borrow<py::object>(observer), raised));
   run::RunOptions options;
   options.writes_files = output.has_value();
   options.kept = &kept;
@@ -125,14 +106,13 @@ std::unique_ptr<RunResult> run_model(const config::Config& config, run::Kept& ke
   {
     const py::gil_scoped_release release;
     const log::Redirection redirection(sink);
-    const Threads own(threads);
+    const ThreadCount own(threads);
     try {
       result->summary = run::run(config, options);
     } catch (...) {
       failure = std::current_exception();
     }
   }
-  for (const auto& one : calling) one->raise();
   raised.raise();
   if (failure) std::rethrow_exception(failure);
   return result;

@@ -13,14 +13,6 @@ namespace {
 
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// An object that threads without the GIL may drop.
-std::shared_ptr<py::object> kept(const py::object& object) {
-  return {new py::object(object), [](py::object* held) {
-            const py::gil_scoped_acquire acquire;
-            delete held;
-          }};
-}
-
 double Arguments::*member_of(const std::string& name) {
   return name == "q" ? &Arguments::q : name == "T" ? &Arguments::T : name == "t" ? &Arguments::t : &Arguments::eps;
 }
@@ -29,9 +21,9 @@ class RateOfPython final : public BatchedFunction {
  public:
   RateOfPython(std::string text, const std::vector<std::string>& variables, const py::object& function,
                const py::object& derivative, std::shared_ptr<Raised> raised)
-      : text_(std::move(text)), function_(kept(function)), raised_(std::move(raised)) {
+      : text_(std::move(text)), function_(kept_for_threads(function)), raised_(std::move(raised)) {
     for (const std::string& variable : variables) members_.push_back(member_of(variable));
-    if (!derivative.is_none()) derivative_ = kept(derivative);
+    if (!derivative.is_none()) derivative_ = kept_for_threads(derivative);
   }
 
   void evaluate(std::span<const Arguments> at, std::span<double> values) const override {
@@ -95,7 +87,7 @@ class RateOfPython final : public BatchedFunction {
 class RateAtAddress final : public BatchedFunction {
  public:
   RateAtAddress(std::uintptr_t address, const py::object& owner)
-      : function_(reinterpret_cast<Compiled>(address)), owner_(kept(owner)) {}
+      : function_(reinterpret_cast<Compiled>(address)), owner_(kept_for_threads(owner)) {}
   void evaluate(std::span<const Arguments> at, std::span<double> values) const override {
     for (std::size_t p = 0; p < at.size(); ++p) values[p] = function_(at[p].q, at[p].T, at[p].t, at[p].eps);
   }

@@ -13,7 +13,7 @@
 
 namespace creepcontact::python {
 
-/// The first exception that the functions of a user have raised, from any thread.
+/// The first exception that functions of a user have raised, from any thread: the caller of the run raises it again.
 class Raised {
  public:
   void keep(std::exception_ptr raised) {

@@ -23,11 +23,17 @@ void add_stills(const std::vector<Drawings::Still>& stills, Html& page, const ch
   page.close("div");
 }
 
+/// The section of another run with the same title. @returns null if it has none
+const io::RecordedSection* same_section(const io::ModelRecord& other, const io::RecordedSection& section) {
+  const auto found = std::ranges::find(other.sections, section.title, &io::RecordedSection::title);
+  return found == other.sections.end() ? nullptr : &*found;
+}
+
 /// The table of another run with the same headings. @returns null if it has none
 const io::RecordedTable* same_table(const io::ModelRecord& other, const io::RecordedSection& section,
                                     const io::RecordedTable& table) {
-  const auto found = std::ranges::find(other.sections, section.title, &io::RecordedSection::title);
-  if (found == other.sections.end()) return nullptr;
+  const io::RecordedSection* const found = same_section(other, section);
+  if (found == nullptr) return nullptr;
   const auto same = std::ranges::find_if(found->tables, [&](const io::RecordedTable& candidate) {
     return candidate.title == table.title && candidate.head == table.head;
   });
@@ -50,8 +56,8 @@ const std::vector<std::string>* same_row(const io::RecordedTable& other, const i
 /// Whether the sections of that title have the note in all runs.
 bool is_in_all(const std::string& note, const io::RecordedSection& section, const std::vector<RunData>& others) {
   return std::ranges::all_of(others, [&](const RunData& other) {
-    const auto same = std::ranges::find(other.record.sections, section.title, &io::RecordedSection::title);
-    return same != other.record.sections.end() && std::ranges::count(same->notes, note) > 0;
+    const io::RecordedSection* const same = same_section(other.record, section);
+    return same != nullptr && std::ranges::count(same->notes, note) > 0;
   });
 }
 

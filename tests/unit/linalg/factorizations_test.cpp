@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "threads.hpp"
+#include "creepcontact/base/thread_count.hpp"
 
 namespace creepcontact::linalg {
 namespace {
@@ -26,7 +26,7 @@ TEST(Factorizations, OfOneLargeBodyAreMadeByAllThreads) {
 
 TEST(Factorizations, ThrowTheFirstErrorAfterThoseUnderWay) {
   for (const int threads : {1, 2}) {
-    const testing::Threads set(threads);
+    const ThreadCount set(threads);
     std::atomic<int> ended{0};
     const std::vector<double> entries(4, 1e6);
     const auto work = [&](std::size_t i) {

@@ -6,14 +6,13 @@
 #include <thread>
 #include <vector>
 
+#include "creepcontact/base/thread_count.hpp"
 #include "matrices.hpp"
-#include "threads.hpp"
 
 namespace creepcontact::linalg {
 namespace {
 
 using testing::Problem;
-using testing::Threads;
 
 /// Large enough to be cut into subtrees and panels.
 Problem cut_problem() {
@@ -44,14 +43,14 @@ TEST(SupernodalPass, HasTheSameBitsForAnyNumberOfThreads) {
   const Eigen::VectorXd b = testing::random_vector(solver.size(), 3);
   Eigen::VectorXd y, x;
   {
-    const Threads one(1);
+    const ThreadCount one(1);
     y = testing::forward(solver, b);
     x = testing::backward(solver, y);
   }
   const Eigen::VectorXd residual = problem.lower.selfadjointView<Eigen::Lower>() * x - b;
   EXPECT_LT(residual.norm(), 1e-12 * b.norm());
   for (const int n : {2, 3, 8}) {
-    const Threads several(n);
+    const ThreadCount several(n);
     for (int repeat = 0; repeat < 20; ++repeat) {
       ASSERT_EQ(testing::forward(solver, b), y) << n << " threads";
       ASSERT_EQ(testing::backward(solver, y), x) << n << " threads";
@@ -71,7 +70,7 @@ TEST(SupernodalPass, OfSeveralBodiesAtOnceIsThatOfEach) {
     alone.push_back(testing::solve(*solvers.back(), given.back()));
     together.emplace_back(given.back().size());
   }
-  const Threads several(4);
+  const ThreadCount several(4);
   for (int repeat = 0; repeat < 20; ++repeat) {
     std::vector<Substitution> there, back;
     for (std::size_t i = 0; i < solvers.size(); ++i) {
