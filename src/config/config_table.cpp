@@ -87,6 +87,8 @@ Value<Config> config_table(const Vocabulary& vocabulary) {
                     "times at which conditions on probes first hold, for `summary.json` and plots"),
       field<Config>("criteria", &Config::criteria, tables(criterion_table(vocabulary)),
                     "what the run is judged by, for `summary.json` and the report"),
+      field<Config>("sensitivity", &Config::sensitivity, sensitivity_table(),
+                    "derivatives of the results with respect to numbers of this configuration"),
   });
 }
 

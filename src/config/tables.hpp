@@ -50,6 +50,7 @@ Value<Report> report_table(const Vocabulary& vocabulary);
 Value<Probe> probe_table(const Vocabulary& vocabulary);
 Value<Event> event_table();
 Value<Criterion> criterion_table(const Vocabulary& vocabulary);
+Value<Sensitivity> sensitivity_table();
 Value<Config> config_table(const Vocabulary& vocabulary);
 
 /// Variables of functions of place and time.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <list>
 #include <mutex>
 #include <optional>
@@ -28,110 +29,169 @@ std::uint64_t values_of(const SparseMatrix& lower) {
   return sum.value();
 }
 
-/// A solver with what it was made of.
-struct Kept {
-  std::uint64_t pattern = 0;
-  std::optional<std::uint64_t> values;  // of the matrix that is factored; nullopt: none is
-  std::unique_ptr<StiffnessSolver> solver;
+struct Key {
+  std::uint64_t pattern = 0, values = 0;
+  bool operator==(const Key&) const = default;
+};
+
+/// A factor, or, while `solver` is null, one that is being computed.
+struct Entry {
+  Key key;
+  std::unique_ptr<StiffnessSolver> solver;  // has it; others are made of this one
+  int users = 0;
 };
 
 }  // namespace
 
 class FactorStore::Content {
  public:
-  /// One of this pattern, best with these values. @returns none if there is none
-  std::optional<Kept> take(std::uint64_t pattern, std::uint64_t values) {
+  /// A solver of this pattern, best with the factor of these values. Null: there is none.
+  std::unique_ptr<StiffnessSolver> analysed(const Key& key) {
     const std::scoped_lock lock(mutex_);
-    max_lent_ = std::max(max_lent_, ++n_lent_);
-    auto best = idle_.end();
-    for (auto at = idle_.begin(); at != idle_.end(); ++at)
-      if (at->pattern == pattern && (best == idle_.end() || at->values == values)) best = at;
-    if (best == idle_.end()) return std::nullopt;
-    Kept taken = std::move(*best);
-    idle_.erase(best);
-    return taken;
-  }
-  void give_back(Kept kept) {
-    std::list<Kept> dropped;  // destroyed without the lock
-    const std::scoped_lock lock(mutex_);
-    --n_lent_;
-    if (kept.values) idle_.push_back(std::move(kept));
-    while (idle_.size() > max_lent_) dropped.splice(dropped.end(), idle_, idle_.begin());
+    const Entry* best = nullptr;
+    for (const Entry& entry : entries_)
+      if (entry.solver && entry.key.pattern == key.pattern && (best == nullptr || entry.key == key)) best = &entry;
+    return best != nullptr ? best->solver->same_pattern() : nullptr;
   }
 
-  std::atomic<std::int64_t> computed = 0, found = 0;
+  /// A solver with this factor, found or computed by one of the threads that need it. @param own  a solver of the
+  /// pattern, used to compute it @param before  the factor that the caller has used so far
+  /// @returns whether it was found @throws as StiffnessSolver::factorize()
+  bool use(const Key& key, std::optional<Key>& before, std::unique_ptr<StiffnessSolver>& own,
+           const SparseMatrix& lower) {
+    std::unique_lock lock(mutex_);
+    if (before) {
+      // What nobody else uses makes room, as it does without a store.
+      if (Entry& entry = *find(*before); --entry.users == 0 && entry.key != key) entries_.erase(find(*before));
+      before.reset();
+    }
+    for (auto found = find(key); found != entries_.end(); found = find(key)) {
+      if (!found->solver) {
+        computed_.wait(lock);
+        continue;
+      }
+      ++found->users;
+      before = key;
+      own = found->solver->same_pattern();
+      count_use();
+      ++n_found;
+      return true;
+    }
+    entries_.push_back({key, nullptr, 1});
+    lock.unlock();
+    std::unique_ptr<StiffnessSolver> copy;
+    try {
+      own->factorize(lower);
+      copy = own->same_pattern();
+    } catch (...) {
+      lock.lock();
+      entries_.erase(find(key));
+      computed_.notify_all();
+      throw;
+    }
+    lock.lock();
+    find(key)->solver = std::move(copy);
+    before = key;
+    count_use();
+    ++n_computed;
+    computed_.notify_all();
+    return false;
+  }
+
+  void give_back(const Key& key) {
+    std::list<Entry> dropped;  // destroyed without the lock
+    const std::scoped_lock lock(mutex_);
+    const auto entry = find(key);
+    --entry->users;
+    entries_.splice(entries_.end(), entries_, entry);
+    for (auto at = entries_.begin(); entries_.size() > most_in_use_ && at != entries_.end();) {
+      const auto next = std::next(at);
+      if (at->users == 0) dropped.splice(dropped.end(), entries_, at);
+      at = next;
+    }
+  }
+
+  std::atomic<std::int64_t> n_computed = 0, n_found = 0;
 
  private:
+  std::list<Entry>::iterator find(const Key& key) {
+    return std::ranges::find(entries_, key, &Entry::key);
+  }
+  void count_use() {
+    const auto in_use = std::ranges::count_if(entries_, [](const Entry& entry) { return entry.users > 0; });
+    most_in_use_ = std::max(most_in_use_, static_cast<std::size_t>(in_use));
+  }
+
   std::mutex mutex_;
-  std::list<Kept> idle_;  // the one that came back last at the end
-  std::size_t n_lent_ = 0, max_lent_ = 0;
+  std::condition_variable computed_;
+  std::list<Entry> entries_;  // the one that came back last at the end
+  std::size_t most_in_use_ = 0;
 };
 
-/// A solver that goes back to the store.
+/// A solver whose factors are those of the store.
 class FactorStore::Lent final : public StiffnessSolver {
  public:
-  Lent(std::shared_ptr<Content> content, Kept kept) : content_(std::move(content)), kept_(std::move(kept)) {}
-  ~Lent() override { content_->give_back(std::move(kept_)); }
+  Lent(std::shared_ptr<Content> content, GatheredPasses* gathering, std::uint64_t pattern,
+       std::unique_ptr<StiffnessSolver> solver)
+      : content_(std::move(content)), gathering_(gathering), pattern_(pattern), solver_(std::move(solver)) {}
+  ~Lent() override {
+    solver_.reset();
+    if (used_) content_->give_back(*used_);
+  }
   Lent(const Lent&) = delete;
   Lent& operator=(const Lent&) = delete;
 
-  std::unique_ptr<StiffnessSolver> same_pattern() const override { return kept_.solver->same_pattern(); }
+  std::unique_ptr<StiffnessSolver> same_pattern() const override { return solver_->same_pattern(); }
+  const void* shared_factor() const override { return solver_->shared_factor(); }
+  GatheredPasses* gathering() override { return gathering_; }
   void factorize(const SparseMatrix& lower) override {
-    const std::uint64_t values = values_of(lower);
-    found_ = kept_.values == values;
-    if (found_) {
-      ++content_->found;
-      return;
-    }
-    kept_.values.reset();
-    kept_.solver->factorize(lower);
-    kept_.values = values;
-    ++content_->computed;
+    found_ = content_->use({pattern_, values_of(lower)}, used_, solver_, lower);
   }
   bool found_factor() const override { return found_; }
-  std::int64_t size() const override { return kept_.solver->size(); }
-  std::int64_t trailing_size() const override { return kept_.solver->trailing_size(); }
+  std::int64_t size() const override { return solver_->size(); }
+  std::int64_t trailing_size() const override { return solver_->trailing_size(); }
   TaskList& forward_tasks(std::span<const double> b, std::span<double> y) override {
-    return kept_.solver->forward_tasks(b, y);
+    return solver_->forward_tasks(b, y);
   }
   TaskList& backward_tasks(std::span<const double> y, std::span<double> x) override {
-    return kept_.solver->backward_tasks(y, x);
+    return solver_->backward_tasks(y, x);
   }
-  Eigen::MatrixXd trailing_factor() const override { return kept_.solver->trailing_factor(); }
-  std::int64_t factor_bytes() const override { return kept_.solver->factor_bytes(); }
-  std::int64_t work_bytes() const override { return kept_.solver->work_bytes(); }
-  double rcond() const override { return kept_.solver->rcond(); }
-  double error_bound() const override { return kept_.solver->error_bound(); }
+  TaskList& tasks_of_several(PassDirection direction, std::span<const PassVector> vectors) override {
+    return solver_->tasks_of_several(direction, vectors);
+  }
+  Eigen::MatrixXd trailing_factor() const override { return solver_->trailing_factor(); }
+  std::int64_t factor_bytes() const override { return solver_->factor_bytes(); }
+  std::int64_t work_bytes() const override { return solver_->work_bytes(); }
+  double rcond() const override { return solver_->rcond(); }
+  double error_bound() const override { return solver_->error_bound(); }
 
  private:
   std::shared_ptr<Content> content_;
-  Kept kept_;
+  GatheredPasses* gathering_;
+  std::uint64_t pattern_;
+  std::unique_ptr<StiffnessSolver> solver_;
+  std::optional<Key> used_;
   bool found_ = false;
 };
 
 FactorStore::FactorStore() : content_(std::make_shared<Content>()) {}
 FactorStore::~FactorStore() = default;
 
-StiffnessSolverFactory FactorStore::lending(StiffnessSolverFactory make) {
-  return [content = content_,
+StiffnessSolverFactory FactorStore::lending(GatheredPasses* gathering, StiffnessSolverFactory make) {
+  return [content = content_, gathering,
           make = std::move(make)](const StiffnessToAnalyze& matrix) -> std::unique_ptr<StiffnessSolver> {
-    const std::uint64_t pattern = pattern_of(matrix);
-    std::optional<Kept> kept = content->take(pattern, values_of(matrix.lower));
-    if (!kept) try {
-        kept = Kept{pattern, std::nullopt, make(matrix)};
-      } catch (...) {
-        content->give_back({});
-        throw;
-      }
-    return std::make_unique<Lent>(content, std::move(*kept));
+    const Key key{pattern_of(matrix), values_of(matrix.lower)};
+    std::unique_ptr<StiffnessSolver> solver = content->analysed(key);
+    if (!solver) solver = make(matrix);
+    return std::make_unique<Lent>(content, gathering, key.pattern, std::move(solver));
   };
 }
 
 std::int64_t FactorStore::n_computed() const {
-  return content_->computed;
+  return content_->n_computed;
 }
 std::int64_t FactorStore::n_found() const {
-  return content_->found;
+  return content_->n_found;
 }
 
 }  // namespace creepcontact::linalg

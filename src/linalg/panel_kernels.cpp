@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "creepcontact/base/instruction_sets.hpp"
+#include "lapack.hpp"
 
 namespace creepcontact::linalg {
 
@@ -176,9 +177,7 @@ CREEPCONTACT_INLINE void substitute_columns(const double* corner, std::int64_t s
 
 constexpr std::int64_t chunk = 4096;  // rows whose part of the vector stays in the innermost cache
 
-}  // namespace
-
-CREEPCONTACT_BEST_INSTRUCTIONS void eliminate(const Panel& panel, double* x) {
+CREEPCONTACT_BEST_INSTRUCTIONS void eliminate_one(const Panel& panel, double* x) {
   for_each_strip(
       panel.n_columns, [&]<std::size_t columns>(std::int64_t column) __attribute__((always_inline)) {
         eliminate_columns<columns>(panel.entries + column * (panel.stride + 1), panel.stride, panel.n_rows - column,
@@ -186,7 +185,7 @@ CREEPCONTACT_BEST_INSTRUCTIONS void eliminate(const Panel& panel, double* x) {
       });
 }
 
-CREEPCONTACT_BEST_INSTRUCTIONS void substitute(const Panel& panel, double* x) {
+CREEPCONTACT_BEST_INSTRUCTIONS void substitute_one(const Panel& panel, double* x) {
   for_each_strip_backwards(
       panel.n_columns, [&]<std::size_t columns>(std::int64_t column) __attribute__((always_inline)) {
         substitute_columns<columns>(panel.entries + column * (panel.stride + 1), panel.stride, panel.n_rows - column,
@@ -194,7 +193,7 @@ CREEPCONTACT_BEST_INSTRUCTIONS void substitute(const Panel& panel, double* x) {
       });
 }
 
-CREEPCONTACT_BEST_INSTRUCTIONS void subtract_product(const Panel& panel, const double* from, double* to) {
+CREEPCONTACT_BEST_INSTRUCTIONS void subtract_product_of_one(const Panel& panel, const double* from, double* to) {
   for (std::int64_t row = 0; row < panel.n_rows; row += chunk) {
     const std::int64_t n_rows = panel.n_rows - row < chunk ? panel.n_rows - row : chunk;
     for_each_strip(
@@ -205,12 +204,60 @@ CREEPCONTACT_BEST_INSTRUCTIONS void subtract_product(const Panel& panel, const d
   }
 }
 
-CREEPCONTACT_BEST_INSTRUCTIONS void subtract_transposed_product(const Panel& panel, const double* from, double* to) {
+CREEPCONTACT_BEST_INSTRUCTIONS void subtract_transposed_product_of_one(const Panel& panel, const double* from, double* to) {
   for_each_strip(
       panel.n_columns, [&]<std::size_t columns>(std::int64_t column) __attribute__((always_inline)) {
         subtract_dot_products<columns>(panel.entries + column * panel.stride, panel.stride, panel.n_rows, from,
                                        to + column);
       });
+}
+
+// Rows of several vectors, one after the other, are the columns of the transposed matrix.
+
+/// columns -= rows panel, or its transpose. @param n, k  columns of the result and of the factor at its left
+void subtract_blas(char transposed, const Panel& panel, std::int64_t n, std::int64_t k, const double* from, double* to,
+                   std::size_t vectors) {
+  if (n == 0 || k == 0) return;
+  const int m = static_cast<int>(vectors), columns = static_cast<int>(n), inner = static_cast<int>(k),
+            stride = static_cast<int>(panel.stride);
+  const double minus = -1, one = 1;
+  dgemm_("N", &transposed, &m, &columns, &inner, &minus, from, &m, panel.entries, &stride, &one, to, &m, 1, 1);
+}
+
+/// With the triangle of a panel. @param transposed  'T': x1 = L11^-1 x1, 'N': x1 = L11^-T x1
+void solve_blas(char transposed, const Panel& panel, double* x, std::size_t vectors) {
+  const int m = static_cast<int>(vectors), n = static_cast<int>(panel.n_columns), stride = static_cast<int>(panel.stride);
+  const double one = 1;
+  dtrsm_("R", "L", &transposed, "N", &m, &n, &one, panel.entries, &stride, x, &m, 1, 1, 1, 1);
+}
+
+/// The rows of a panel below its triangle.
+Panel below(const Panel& panel) {
+  return {panel.entries + panel.n_columns, panel.stride, panel.n_rows - panel.n_columns, panel.n_columns};
+}
+
+}  // namespace
+
+void eliminate(const Panel& panel, double* x, std::size_t vectors) {
+  if (vectors == 1) return eliminate_one(panel, x);
+  solve_blas('T', panel, x, vectors);
+  subtract_product(below(panel), x, x + panel.n_columns * static_cast<std::int64_t>(vectors), vectors);
+}
+
+void substitute(const Panel& panel, double* x, std::size_t vectors) {
+  if (vectors == 1) return substitute_one(panel, x);
+  subtract_transposed_product(below(panel), x + panel.n_columns * static_cast<std::int64_t>(vectors), x, vectors);
+  solve_blas('N', panel, x, vectors);
+}
+
+void subtract_product(const Panel& panel, const double* from, double* to, std::size_t vectors) {
+  if (vectors == 1) return subtract_product_of_one(panel, from, to);
+  subtract_blas('T', panel, panel.n_rows, panel.n_columns, from, to, vectors);
+}
+
+void subtract_transposed_product(const Panel& panel, const double* from, double* to, std::size_t vectors) {
+  if (vectors == 1) return subtract_transposed_product_of_one(panel, from, to);
+  subtract_blas('N', panel, panel.n_columns, panel.n_rows, from, to, vectors);
 }
 
 }  // namespace creepcontact::linalg

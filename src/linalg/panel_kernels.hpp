@@ -1,10 +1,12 @@
 #pragma once
 /// Products and substitutions with the dense columns of a supernodal factor. Such a column is read once per pass, so
-/// its speed is that of the memory: eight columns are read side by side, and the vectors stay in the cache.
+/// its speed is that of the memory: eight columns are read side by side, and the vectors stay in the cache. With several
+/// vectors the BLAS does the work.
 ///
 /// A panel is a column-major array L of rows x columns entries, `stride` apart from column to column. Machine
 /// instructions are chosen when the program starts.
 
+#include <cstddef>
 #include <cstdint>
 
 namespace creepcontact::linalg {
@@ -17,14 +19,14 @@ struct Panel {
 
 // The first n_columns rows of the panels of the next two are a lower triangle.
 
-/// x1 = L11^-1 x1, then x2 -= L21 x1. @param x  n_rows entries (x1, x2)
-void eliminate(const Panel& panel, double* x);
-/// x1 = L11^-T (x1 - L21^T x2). @param x  n_rows entries (x1, x2)
-void substitute(const Panel& panel, double* x);
+/// x1 = L11^-1 x1, then x2 -= L21 x1. @param x  n_rows rows (x1, x2) of `vectors` entries
+void eliminate(const Panel& panel, double* x, std::size_t vectors = 1);
+/// x1 = L11^-T (x1 - L21^T x2). @param x  n_rows rows (x1, x2) of `vectors` entries
+void substitute(const Panel& panel, double* x, std::size_t vectors = 1);
 
-/// to -= L from. @param from  n_columns entries @param to  n_rows entries
-void subtract_product(const Panel& panel, const double* from, double* to);
-/// to -= L^T from. @param from  n_rows entries @param to  n_columns entries
-void subtract_transposed_product(const Panel& panel, const double* from, double* to);
+/// to -= L from. @param from  n_columns rows of `vectors` entries @param to  n_rows rows
+void subtract_product(const Panel& panel, const double* from, double* to, std::size_t vectors = 1);
+/// to -= L^T from. @param from  n_rows rows of `vectors` entries @param to  n_columns rows
+void subtract_transposed_product(const Panel& panel, const double* from, double* to, std::size_t vectors = 1);
 
 }  // namespace creepcontact::linalg

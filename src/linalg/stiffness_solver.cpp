@@ -1,34 +1,34 @@
 #include "creepcontact/linalg/stiffness_solver.hpp"
 
+#include <stdexcept>
+
+#include "creepcontact/linalg/gathered_passes.hpp"
+
 namespace creepcontact::linalg {
 
-namespace {
-
-/// Entries of the factors from which threads are woken for a pass: it takes some tenths of a millisecond then.
-constexpr double parallel_from = 1 << 19;
-
-}  // namespace
+TaskList& StiffnessSolver::tasks_of_several(PassDirection /*direction*/, std::span<const PassVector> /*vectors*/) {
+  throw std::logic_error("a solver that does not share its factor makes passes of one vector");
+}
 
 void StiffnessSolver::forward(std::span<const double> b, std::span<double> y) {
-  TaskList* const tasks = &forward_tasks(b, y);
-  run(std::span(&tasks, 1), parallel_from);
+  const Substitution whole{this, b, y};
+  pass(PassDirection::forward, {&whole, 1});
 }
 
 void StiffnessSolver::backward(std::span<const double> y, std::span<double> x) {
-  TaskList* const tasks = &backward_tasks(y, x);
-  run(std::span(&tasks, 1), parallel_from);
+  const Substitution whole{this, y, x};
+  pass(PassDirection::backward, {&whole, 1});
 }
 
-void forward(std::span<const Substitution> of_bodies) {
+void pass(PassDirection direction, std::span<const Substitution> of_bodies) {
+  GatheredPasses* const gathering = of_bodies.empty() ? nullptr : of_bodies.front().solver->gathering();
+  if (gathering != nullptr && gathering->join(direction, of_bodies)) return;
   std::vector<TaskList*> lists;
-  for (const Substitution& part : of_bodies) lists.push_back(&part.solver->forward_tasks(part.from, part.into));
-  run(lists, parallel_from);
-}
-
-void backward(std::span<const Substitution> of_bodies) {
-  std::vector<TaskList*> lists;
-  for (const Substitution& part : of_bodies) lists.push_back(&part.solver->backward_tasks(part.from, part.into));
-  run(lists, parallel_from);
+  lists.reserve(of_bodies.size());
+  for (const Substitution& part : of_bodies)
+    lists.push_back(direction == PassDirection::forward ? &part.solver->forward_tasks(part.from, part.into)
+                                                        : &part.solver->backward_tasks(part.from, part.into));
+  run(lists, pass_in_parallel_from);
 }
 
 }  // namespace creepcontact::linalg

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 
 #include "blas_threads.hpp"
@@ -32,31 +31,26 @@ void check_arguments(const SparseMatrix& lower, std::span<const std::int64_t> bl
 
 }  // namespace
 
-struct SupernodalCholesky::Impl {
-  Impl(const SparseMatrix& lower, std::span<const std::int64_t> block_of, std::span<const std::int64_t> trailing);
-  Impl(const Impl& analysed);
-  void factorize(const SparseMatrix& lower);
-  void prepare_passes();
-  /// `from`, or a copy of it if `into` is the same array.
-  std::span<const double> apart(std::span<const double> from, std::span<double> into);
-
-  std::int64_t* permutation() const { return integers(factor->Perm); }
-  template <typename Visit>
-  void for_each_column(std::int64_t first, Visit visit) const;
-  std::int64_t weakest_row() const;
+/// Order, pattern and supernodes: what all factors of a pattern share. It does not change.
+struct SupernodalCholesky::Analysis {
+  Analysis(const SparseMatrix& lower, std::span<const std::int64_t> block_of, std::span<const std::int64_t> trailing);
+  Supernodes supernodes() const {
+    const std::size_t n = factor->nsuper + 1;
+    return {.first_column = {integers(factor->super), n},
+            .first_row = {integers(factor->pi), n},
+            .first_value = {integers(factor->px), n},
+            .rows = {integers(factor->s), factor->ssize},
+            .permutation = {integers(factor->Perm), factor->n}};
+  }
 
   CholmodContext context;
-  FactorPointer factor{nullptr, FreeFactor{nullptr}};
+  FactorPointer factor{nullptr, FreeFactor{nullptr}};  // symbolic; null for an empty matrix
   std::int64_t n_entries;
   std::int64_t n_trailing;
-  double rcond = 0;
-  std::optional<SupernodalPass> passes;
-  SingleTask nothing;
-  std::vector<double> copy;
 };
 
-SupernodalCholesky::Impl::Impl(const SparseMatrix& lower, std::span<const std::int64_t> block_of,
-                               std::span<const std::int64_t> trailing)
+SupernodalCholesky::Analysis::Analysis(const SparseMatrix& lower, std::span<const std::int64_t> block_of,
+                                       std::span<const std::int64_t> trailing)
     : n_entries(lower.nonZeros()), n_trailing(std::ssize(trailing)) {
   if (lower.rows() == 0) return;  // no factor; CHOLMOD takes no empty matrix
   const std::vector<std::int64_t> order = elimination_order(lower, block_of, trailing, context);
@@ -67,43 +61,30 @@ SupernodalCholesky::Impl::Impl(const SparseMatrix& lower, std::span<const std::i
   factor = FactorPointer(cholmod_l_analyze_p(&pattern, cholmod_integers(order.data()), nullptr, 0, context.get()),
                          {context.get()});
   context.check("analyse");
-  if (!std::equal(trailing.begin(), trailing.end(), permutation() + (lower.rows() - n_trailing))) {
+  if (!std::equal(trailing.begin(), trailing.end(), integers(factor->Perm) + (lower.rows() - n_trailing))) {
     throw std::logic_error("CHOLMOD moved the trailing unknowns");
   }
-  prepare_passes();
 }
 
-SupernodalCholesky::Impl::Impl(const Impl& analysed) : n_entries(analysed.n_entries), n_trailing(analysed.n_trailing) {
-  if (!analysed.factor) return;
-  factor = FactorPointer(cholmod_l_copy_factor(analysed.factor.get(), context.get()), {context.get()});
-  context.check("copy the factor of");
-  prepare_passes();
-}
-
-void SupernodalCholesky::Impl::prepare_passes() {
-  const std::size_t n = factor->nsuper + 1;
-  passes.emplace(Supernodes{.first_column = {integers(factor->super), n},
-                            .first_row = {integers(factor->pi), n},
-                            .first_value = {integers(factor->px), n},
-                            .rows = {integers(factor->s), factor->ssize},
-                            .permutation = {permutation(), factor->n}});
-}
-
-std::span<const double> SupernodalCholesky::Impl::apart(std::span<const double> from, std::span<double> into) {
-  if (from.data() != into.data()) return from;
-  copy.assign(from.begin(), from.end());
-  return copy;
-}
-
-void SupernodalCholesky::Impl::factorize(const SparseMatrix& lower) {
-  if (!factor && lower.rows() == 0) {
-    rcond = 1;
-    return;
+/// The entries of a factor. Several solvers may have one; then it does not change.
+struct SupernodalCholesky::Factor {
+  explicit Factor(const Analysis& analysis)
+      : factor(cholmod_l_copy_factor(analysis.factor.get(), context.get()), {context.get()}) {
+    context.check("copy the analysis of");
   }
-  if (!factor || lower.rows() != static_cast<Index>(factor->n) || lower.nonZeros() != n_entries ||
-      !lower.isCompressed()) {
-    throw std::invalid_argument("the pattern is not the one analysed");
-  }
+  /// @throws SingularMatrix
+  void compute(const SparseMatrix& lower);
+  const double* entries() const { return static_cast<const double*>(factor->x); }
+  template <typename Visit>
+  void for_each_column(std::int64_t first, Visit visit) const;
+  std::int64_t weakest_row() const;
+
+  CholmodContext context;
+  FactorPointer factor;
+  double rcond = 0;
+};
+
+void SupernodalCholesky::Factor::compute(const SparseMatrix& lower) {
   rcond = 0;
   cholmod_sparse matrix = view(lower);
   {
@@ -112,7 +93,7 @@ void SupernodalCholesky::Impl::factorize(const SparseMatrix& lower) {
   }
   context.check("factorise");
   // A failed pivot is a warning to CHOLMOD; round-off may also carry it past the pivots of a singular matrix.
-  if (factor->minor < factor->n) throw SingularMatrix{permutation()[factor->minor], 0};
+  if (factor->minor < factor->n) throw SingularMatrix{integers(factor->Perm)[factor->minor], 0};
   const double estimate = cholmod_l_rcond(factor.get(), context.get());
   if (!(estimate >= min_rcond)) throw SingularMatrix{weakest_row(), estimate};
   rcond = estimate;
@@ -120,7 +101,7 @@ void SupernodalCholesky::Impl::factorize(const SparseMatrix& lower) {
 
 /// visit(column, rows, values): rows and values of the factor's column from its diagonal on.
 template <typename Visit>
-void SupernodalCholesky::Impl::for_each_column(std::int64_t first, Visit visit) const {
+void SupernodalCholesky::Factor::for_each_column(std::int64_t first, Visit visit) const {
   const std::int64_t *start = integers(factor->super), *row_start = integers(factor->pi),
                      *value_start = integers(factor->px), *rows = integers(factor->s);
   const double* values = static_cast<const double*>(factor->x);
@@ -135,7 +116,7 @@ void SupernodalCholesky::Impl::for_each_column(std::int64_t first, Visit visit) 
   }
 }
 
-std::int64_t SupernodalCholesky::Impl::weakest_row() const {
+std::int64_t SupernodalCholesky::Factor::weakest_row() const {
   std::int64_t weakest = 0;
   double least = HUGE_VAL;
   for_each_column(0, [&](std::int64_t column, auto, std::span<const double> values) {
@@ -143,73 +124,118 @@ std::int64_t SupernodalCholesky::Impl::weakest_row() const {
     least = values[0];
     weakest = column;
   });
-  return permutation()[weakest];
+  return integers(factor->Perm)[weakest];
 }
 
 SupernodalCholesky::SupernodalCholesky(const SparseMatrix& lower, std::span<const std::int64_t> block_of,
                                        std::span<const std::int64_t> trailing) {
   check_arguments(lower, block_of, trailing);
-  impl_ = std::make_unique<Impl>(lower, block_of, trailing);
+  analysis_ = std::make_shared<const Analysis>(lower, block_of, trailing);
+  prepare_passes();
 }
 
-SupernodalCholesky::SupernodalCholesky(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+SupernodalCholesky::SupernodalCholesky(const SupernodalCholesky& other)
+    : StiffnessSolver(other), analysis_(other.analysis_), factor_(other.factor_) {
+  prepare_passes();
+}
+
+SupernodalCholesky::SupernodalCholesky(SupernodalCholesky&&) noexcept = default;
+SupernodalCholesky& SupernodalCholesky::operator=(SupernodalCholesky&&) noexcept = default;
+SupernodalCholesky::~SupernodalCholesky() = default;
 
 std::unique_ptr<StiffnessSolver> SupernodalCholesky::same_pattern() const {
-  return std::unique_ptr<StiffnessSolver>(new SupernodalCholesky(std::make_unique<Impl>(*impl_)));
+  return std::unique_ptr<StiffnessSolver>(new SupernodalCholesky(*this));
 }
 
 std::unique_ptr<StiffnessSolver> default_stiffness_solver(const StiffnessToAnalyze& matrix) {
   return std::make_unique<SupernodalCholesky>(matrix.lower, matrix.block_of, matrix.trailing);
 }
 
-SupernodalCholesky::~SupernodalCholesky() = default;
-SupernodalCholesky::SupernodalCholesky(SupernodalCholesky&&) noexcept = default;
-SupernodalCholesky& SupernodalCholesky::operator=(SupernodalCholesky&&) noexcept = default;
+void SupernodalCholesky::prepare_passes() {
+  if (!is_empty()) passes_ = std::make_unique<SupernodalPass>(analysis_->supernodes());
+}
+
+bool SupernodalCholesky::is_empty() const {
+  return !analysis_->factor;
+}
 
 void SupernodalCholesky::factorize(const SparseMatrix& lower) {
-  impl_->factorize(lower);
+  if (is_empty() && lower.rows() == 0) return;
+  if (is_empty() || lower.rows() != static_cast<Index>(analysis_->factor->n) ||
+      lower.nonZeros() != analysis_->n_entries || !lower.isCompressed()) {
+    throw std::invalid_argument("the pattern is not the one analysed");
+  }
+  // Nobody else can take what this one alone has: no other thread copies it meanwhile.
+  std::shared_ptr<Factor> computed =
+      factor_.use_count() == 1 ? std::move(factor_) : std::make_shared<Factor>(*analysis_);
+  factor_.reset();
+  computed->compute(lower);
+  factor_ = std::move(computed);
 }
 
 std::int64_t SupernodalCholesky::size() const {
-  return impl_->factor ? static_cast<std::int64_t>(impl_->factor->n) : 0;
+  return is_empty() ? 0 : static_cast<std::int64_t>(analysis_->factor->n);
 }
 std::int64_t SupernodalCholesky::trailing_size() const {
-  return impl_->n_trailing;
+  return analysis_->n_trailing;
+}
+
+/// `from`, or a copy of it if `into` is the same array.
+std::span<const double> SupernodalCholesky::apart(std::span<const double> from, std::span<double> into,
+                                                  std::size_t vector) {
+  if (from.data() != into.data()) return from;
+  if (copies_.size() <= vector) copies_.resize(vector + 1);
+  copies_[vector].assign(from.begin(), from.end());
+  return copies_[vector];
 }
 
 TaskList& SupernodalCholesky::forward_tasks(std::span<const double> b, std::span<double> y) {
-  if (!impl_->factor) return impl_->nothing;
-  return impl_->passes->forward(static_cast<const double*>(impl_->factor->x), impl_->apart(b, y), y);
+  const PassVector vector{b, y};
+  return tasks_of_several(PassDirection::forward, {&vector, 1});
 }
 
 TaskList& SupernodalCholesky::backward_tasks(std::span<const double> y, std::span<double> x) {
-  if (!impl_->factor) return impl_->nothing;
-  return impl_->passes->backward(static_cast<const double*>(impl_->factor->x), impl_->apart(y, x), x);
+  const PassVector vector{y, x};
+  return tasks_of_several(PassDirection::backward, {&vector, 1});
+}
+
+TaskList& SupernodalCholesky::tasks_of_several(PassDirection direction, std::span<const PassVector> vectors) {
+  if (is_empty()) return nothing_;
+  if (!factor_) throw std::logic_error("a pass before the factorisation");
+  std::vector<std::span<const double>> from;
+  std::vector<std::span<double>> into;
+  from.reserve(vectors.size());
+  into.reserve(vectors.size());
+  for (std::size_t v = 0; v < vectors.size(); ++v) {
+    from.push_back(apart(vectors[v].from, vectors[v].into, v));
+    into.push_back(vectors[v].into);
+  }
+  return direction == PassDirection::forward ? passes_->forward(factor_->entries(), from, into)
+                                             : passes_->backward(factor_->entries(), from, into);
 }
 
 Eigen::MatrixXd SupernodalCholesky::trailing_factor() const {
-  if (!impl_->factor) return {};
+  if (is_empty()) return {};
   const std::int64_t first = size() - trailing_size();
   Eigen::MatrixXd block = Eigen::MatrixXd::Zero(trailing_size(), trailing_size());
-  impl_->for_each_column(first,
-                         [&](std::int64_t column, std::span<const std::int64_t> rows, std::span<const double> values) {
-                           for (std::size_t i = 0; i < rows.size(); ++i)
-                             block(rows[i] - first, column - first) = values[i];
-                         });
+  factor_->for_each_column(
+      first, [&](std::int64_t column, std::span<const std::int64_t> rows, std::span<const double> values) {
+        for (std::size_t i = 0; i < rows.size(); ++i) block(rows[i] - first, column - first) = values[i];
+      });
   return block;
 }
 
 std::int64_t SupernodalCholesky::factor_bytes() const {
-  return impl_->factor ? static_cast<std::int64_t>(impl_->factor->xsize * sizeof(double)) : 0;
+  return is_empty() ? 0 : static_cast<std::int64_t>(analysis_->factor->xsize * sizeof(double));
 }
 std::int64_t SupernodalCholesky::work_bytes() const {
-  if (!impl_->factor) return 0;
+  if (is_empty()) return 0;
   // Update matrices of supernodes, and the matrix in the order of the factor, twice.
-  return static_cast<std::int64_t>(impl_->factor->maxcsize * sizeof(double)) +
-         2 * impl_->n_entries * static_cast<std::int64_t>(sizeof(double) + sizeof(std::int64_t));
+  return static_cast<std::int64_t>(analysis_->factor->maxcsize * sizeof(double)) +
+         2 * analysis_->n_entries * static_cast<std::int64_t>(sizeof(double) + sizeof(std::int64_t));
 }
 double SupernodalCholesky::rcond() const {
-  return impl_->rcond;
+  return is_empty() ? 1 : factor_ ? factor_->rcond : 0;
 }
 
 }  // namespace creepcontact::linalg

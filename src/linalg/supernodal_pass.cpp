@@ -61,19 +61,20 @@ struct SupernodalPass::Impl {
     std::size_t branch = 0;
     std::int64_t first = 0;             // supernode
     std::vector<std::int32_t> outside;  // of all its supernodes one after the other: rows below the root
-    std::vector<double> update, work;   // n_below(root), largest number of rows
+    std::int64_t most_rows = 0;         // of its supernodes
+    std::vector<double> update, work;   // n_below(root), most_rows; per vector of a pass
   };
   struct Front;
   struct Column {  // a panel of columns of a Front
     std::int64_t begin = 0, end = 0;
-    std::vector<double> update;  // rows end .. n_rows
+    std::vector<double> update;  // rows end .. n_rows, per vector of a pass
     Progress progress;
   };
   struct Front {
     std::size_t branch = 0;
     std::int64_t depth = 0;
     std::vector<std::size_t> children;  // branches
-    std::vector<double> values;         // n_rows
+    std::vector<double> values;         // n_rows, per vector of a pass
     std::vector<Column> panels;
   };
   struct Task {
@@ -118,7 +119,27 @@ struct SupernodalPass::Impl {
     const std::int64_t stride = nodes.n_rows(s);
     return {factor + nodes.first_value[s] + column * stride + row, stride, n_rows, n_columns};
   }
+  void begin(const double* entries, std::span<const std::span<const double>> given,
+             std::span<const std::span<double>> results);
+  void set_width(std::size_t vectors);
   void reset();
+  /// Row k of what is given, for all vectors, in the order of the factor if `numbered` is null.
+  void load(std::int64_t k, const std::int64_t* numbered, double* x) const {
+    const std::int64_t at = numbered != nullptr ? numbered[k] : k;
+    for (std::size_t v = 0; v < width; ++v) x[v] = from[v][at];
+  }
+  void add(const double* x_row, double* to) const {
+    for (std::size_t v = 0; v < width; ++v) to[v] += x_row[v];
+  }
+  /// Rows begin .. end of the results of a forward pass with several vectors.
+  void store_forward(std::int64_t begin, std::int64_t end) const {
+    for (std::size_t v = 0; v < width; ++v)
+      for (std::int64_t k = begin; k < end; ++k) into[v][k] = solution[k * width + v];
+  }
+  void store_backward(std::int64_t begin, std::int64_t end) const {
+    for (std::size_t v = 0; v < width; ++v)
+      for (std::int64_t k = begin; k < end; ++k) into[v][nodes.permutation[k]] = solution[k * width + v];
+  }
   void forward_subtree(Subtree& subtree);
   void forward_panel(Front& front, std::size_t p);
   void assemble(Front& front);
@@ -132,21 +153,25 @@ struct SupernodalPass::Impl {
   std::vector<Index> front_of, subtree_of;  // of a branch, or -1
   std::vector<Task> tasks;
   std::vector<double> work, backward_work;
-  std::vector<double> solution;  // in the order of the factor, of the back substitution
+  /// In the order of the factor, row by row: the back substitution, and the forward pass with several vectors.
+  std::vector<double> solution;
   Forward forward{*this};
   Backward backward{*this};
 
   // of the pass under way
   const double* factor = nullptr;
-  std::span<const double> from;
-  std::span<double> into;
+  std::size_t width = 1;  // vectors
+  std::vector<std::span<const double>> from;
+  std::vector<std::span<double>> into;
+  double* x = nullptr;  // of the forward pass, as `solution`; with one vector what it is to become itself
 };
 
-SupernodalPass::Impl::Impl(const Supernodes& supernodes) : nodes(supernodes), solution(supernodes.permutation.size()) {
+SupernodalPass::Impl::Impl(const Supernodes& supernodes) : nodes(supernodes) {
   const Tree tree(nodes);
   cut_tree(tree);
   place_children();
   list_tasks(tree);
+  set_width(1);
 }
 
 void SupernodalPass::Impl::cut_tree(const Tree& tree) {
@@ -180,14 +205,12 @@ void SupernodalPass::Impl::cut_tree(const Tree& tree) {
     front.branch = branches.size() - 1;
     depth[s] = p < 0 ? 0 : depth[p] + 1;
     front.depth = depth[s];
-    front.values.resize(nodes.n_rows(s));
     const std::int64_t n = nodes.n_columns(s), n_panels = (n + panel_width - 1) / panel_width;
     front.panels = std::vector<Column>(n_panels);
     for (std::int64_t k = 0; k < n_panels; ++k) {
       Column& panel = front.panels[k];
       panel.begin = n * k / n_panels;
       panel.end = n * (k + 1) / n_panels;
-      panel.update.resize(nodes.n_rows(s) - panel.end);
     }
   }
 }
@@ -212,16 +235,13 @@ void SupernodalPass::Impl::place_children() {
   for (Subtree& subtree : subtrees) {
     const std::int64_t root = branches[subtree.branch]->root;
     const std::span<const std::int64_t> below = nodes.rows_below(root);
-    subtree.update.resize(below.size());
-    std::int64_t most = 0;
     for (std::int64_t s = subtree.first; s <= root; ++s) {
-      most = std::max(most, nodes.n_rows(s));
+      subtree.most_rows = std::max(subtree.most_rows, nodes.n_rows(s));
       const std::span<const std::int64_t> rows = nodes.rows_below(s);
       const auto outside = std::ranges::lower_bound(rows, nodes.first_column[root + 1]);
       const std::vector<std::int32_t> at = positions({outside, rows.end()}, below);
       subtree.outside.insert(subtree.outside.end(), at.begin(), at.end());
     }
-    subtree.work.resize(most);
   }
 }
 
@@ -241,9 +261,33 @@ void SupernodalPass::Impl::list_tasks(const Tree& tree) {
     tasks.push_back(task);
     const Column& panel = task.front->panels[task.panel];
     work.push_back(static_cast<double>(panel.end - panel.begin) *
-                   static_cast<double>(std::ssize(task.front->values) - panel.begin));
+                   static_cast<double>(nodes.n_rows(branches[task.front->branch]->root) - panel.begin));
   }
   backward_work.assign(work.rbegin(), work.rend());
+}
+
+void SupernodalPass::Impl::set_width(std::size_t vectors) {
+  width = vectors;
+  const auto n = [&](std::int64_t rows) { return static_cast<std::size_t>(rows) * width; };
+  solution.resize(n(std::ssize(nodes.permutation)));
+  for (Subtree& subtree : subtrees) {
+    subtree.update.resize(n(nodes.n_below(branches[subtree.branch]->root)));
+    subtree.work.resize(n(subtree.most_rows));
+  }
+  for (const auto& front : fronts) {
+    const std::int64_t n_rows = nodes.n_rows(branches[front->branch]->root);
+    front->values.resize(n(n_rows));
+    for (Column& panel : front->panels) panel.update.resize(n(n_rows - panel.end));
+  }
+}
+
+void SupernodalPass::Impl::begin(const double* entries, std::span<const std::span<const double>> given,
+                                 std::span<const std::span<double>> results) {
+  if (given.size() != width) set_width(given.size());
+  factor = entries;
+  from.assign(given.begin(), given.end());
+  into.assign(results.begin(), results.end());
+  x = width == 1 ? into.front().data() : solution.data();
 }
 
 void SupernodalPass::Impl::reset() {
@@ -256,61 +300,67 @@ void SupernodalPass::Impl::reset() {
 }
 
 void SupernodalPass::Impl::forward_subtree(Subtree& subtree) {
+  const auto r = static_cast<std::int64_t>(width);
   const std::int64_t root = branches[subtree.branch]->root;
-  for (std::int64_t k = nodes.first_column[subtree.first]; k < nodes.first_column[root + 1]; ++k)
-    into[k] = from[nodes.permutation[k]];
+  const std::int64_t begin = nodes.first_column[subtree.first], end = nodes.first_column[root + 1];
+  for (std::int64_t k = begin; k < end; ++k) load(k, nodes.permutation.data(), x + k * r);
   std::ranges::fill(subtree.update, 0.0);
   const std::int32_t* outside = subtree.outside.data();
-  double* const x = subtree.work.data();
+  double* const local = subtree.work.data();
   for (std::int64_t s = subtree.first; s <= root; ++s) {
     const std::int64_t n = nodes.n_columns(s), n_rows = nodes.n_rows(s), first = nodes.first_column[s];
-    std::copy_n(&into[first], n, x);
-    std::fill(x + n, x + n_rows, 0.0);
-    eliminate(panel(s, 0, 0, n_rows, n), x);
-    std::copy_n(x, n, &into[first]);
+    std::copy_n(x + first * r, n * r, local);
+    std::fill(local + n * r, local + n_rows * r, 0.0);
+    eliminate(panel(s, 0, 0, n_rows, n), local, width);
+    std::copy_n(local, n * r, x + first * r);
     const std::int64_t* const rows = nodes.rows_of(s).data();
     std::int64_t i = n;
-    for (; i < n_rows && rows[i] < nodes.first_column[root + 1]; ++i) into[rows[i]] += x[i];
-    for (; i < n_rows; ++i) subtree.update[*outside++] += x[i];
+    for (; i < n_rows && rows[i] < end; ++i) add(local + i * r, x + rows[i] * r);
+    for (; i < n_rows; ++i) add(local + i * r, &subtree.update[*outside++ * r]);
   }
+  if (width > 1) store_forward(begin, end);
   branches[subtree.branch]->forward_done.reach(1);
 }
 
 void SupernodalPass::Impl::assemble(Front& front) {
+  const auto r = static_cast<std::int64_t>(width);
   const std::int64_t s = branches[front.branch]->root, n = nodes.n_columns(s), first = nodes.first_column[s];
-  for (std::int64_t k = 0; k < n; ++k) front.values[k] = from[nodes.permutation[first + k]];
-  std::fill(front.values.begin() + n, front.values.end(), 0.0);
+  for (std::int64_t k = 0; k < n; ++k) load(first + k, nodes.permutation.data(), &front.values[k * r]);
+  std::fill(front.values.begin() + n * r, front.values.end(), 0.0);
   for (const std::size_t child : front.children) {
     const Branch& branch = *branches[child];
     branch.forward_done.wait_for(1);
+    const std::size_t n_update = branch.in_front.size() * width;
     const std::span<double> update = subtree_of[child] >= 0
                                          ? std::span(subtrees[subtree_of[child]].update)
-                                         : std::span(fronts[front_of[child]]->values).last(branch.in_front.size());
+                                         : std::span(fronts[front_of[child]]->values).last(n_update);
     if (front_of[child] >= 0) {
       for (const Column& panel : fronts[front_of[child]]->panels) {
         const double* const of_panel = panel.update.data() + (panel.update.size() - update.size());
         for (std::size_t i = 0; i < update.size(); ++i) update[i] += of_panel[i];
       }
     }
-    for (std::size_t i = 0; i < update.size(); ++i) front.values[branch.in_front[i]] += update[i];
+    for (std::size_t i = 0; i < branch.in_front.size(); ++i)
+      add(&update[i * width], &front.values[branch.in_front[i] * r]);
   }
 }
 
 void SupernodalPass::Impl::forward_panel(Front& front, std::size_t p) {
+  const auto r = static_cast<std::int64_t>(width);
   const std::int64_t s = branches[front.branch]->root, n_rows = nodes.n_rows(s), first = nodes.first_column[s];
   Column& own = front.panels[p];
-  const std::int64_t width = own.end - own.begin;
+  const std::int64_t n_own = own.end - own.begin;
   if (p == 0) assemble(front);
   // A panel reaches stage 1 with its own solution, and one more with every further panel whose rows it has updated.
   for (std::size_t q = 0; q < p; ++q) front.panels[q].progress.wait_for(static_cast<std::int32_t>(p - q + 1));
-  double* const x = &into[first + own.begin];
-  std::copy_n(front.values.data() + own.begin, width, x);
+  double* const local = x + (first + own.begin) * r;
+  std::copy_n(front.values.data() + own.begin * r, n_own * r, local);
   for (std::size_t q = 0; q < p; ++q) {
     const Column& before = front.panels[q];
-    const double* const update = before.update.data() + (own.begin - before.end);
-    for (std::int64_t i = 0; i < width; ++i) x[i] += update[i];
+    const double* const update = before.update.data() + (own.begin - before.end) * r;
+    for (std::int64_t i = 0; i < n_own * r; ++i) local[i] += update[i];
   }
-  eliminate(panel(s, own.begin, own.begin, width, width), x);
+  eliminate(panel(s, own.begin, own.begin, n_own, n_own), local, width);
   own.progress.reach(1);
   std::ranges::fill(own.update, 0.0);
   const std::size_t n_panels = front.panels.size();
@@ -320,82 +370,84 @@ void SupernodalPass::Impl::forward_panel(Front& front, std::size_t p) {
   for (std::size_t q = p + 1; q <= n_panels;) {
     const std::int64_t row = first_row(q);
     q = next_group(p, q, n_panels + 1);
-    subtract_product(panel(s, row, own.begin, first_row(q) - row, width), x, own.update.data() + (row - own.end));
+    subtract_product(panel(s, row, own.begin, first_row(q) - row, n_own), local,
+                     own.update.data() + (row - own.end) * r, width);
     own.progress.reach(static_cast<std::int32_t>(q - p));
   }
+  if (width > 1) store_forward(first + own.begin, first + own.end);
   if (p + 1 < n_panels) return;
   for (std::size_t q = 0; q < p; ++q) front.panels[q].progress.wait_for(static_cast<std::int32_t>(p - q + 2));
   branches[front.branch]->forward_done.reach(1);
 }
 
 void SupernodalPass::Impl::backward_panel(Front& front, std::size_t p) {
+  const auto r = static_cast<std::int64_t>(width);
   const Branch& branch = *branches[front.branch];
   const std::int64_t s = branch.root, n = nodes.n_columns(s), first = nodes.first_column[s];
   const std::span<const std::int64_t> below = nodes.rows_below(s);
   Column& own = front.panels[p];
-  const std::int64_t width = own.end - own.begin;
-  double* const values = front.values.data() + n;
+  const std::int64_t n_own = own.end - own.begin;
+  double* const values = front.values.data() + n * r;
   if (p + 1 == front.panels.size()) {
     if (branch.parent >= 0) branches[branch.parent]->backward_done.wait_for(1);
-    for (std::size_t i = 0; i < below.size(); ++i) values[i] = solution[below[i]];
+    for (std::size_t i = 0; i < below.size(); ++i) std::copy_n(&solution[below[i] * r], r, values + i * width);
     own.progress.reach(1);
   } else {
     front.panels.back().progress.wait_for(1);
   }
-  double* const x = &solution[first + own.begin];
-  std::copy_n(&from[first + own.begin], width, x);
-  subtract_transposed_product(panel(s, n, own.begin, std::ssize(below), width), values, x);
+  double* const local = &solution[(first + own.begin) * r];
+  for (std::int64_t k = 0; k < n_own; ++k) load(first + own.begin + k, nullptr, local + k * r);
+  subtract_transposed_product(panel(s, n, own.begin, std::ssize(below), n_own), values, local, width);
   // The same groups, the one that becomes known last at the end.
   for (std::size_t end = front.panels.size(); end > p + 1;) {
     std::size_t begin = p + 1;
     for (std::size_t next = begin; next < end; next = next_group(p, next, end)) begin = next;
     for (std::size_t q = begin; q < end; ++q) front.panels[q].progress.wait_for(2);
     const std::int64_t row = front.panels[begin].begin;
-    subtract_transposed_product(panel(s, row, own.begin, front.panels[end - 1].end - row, width),
-                                &solution[first + row], x);
+    subtract_transposed_product(panel(s, row, own.begin, front.panels[end - 1].end - row, n_own),
+                                &solution[(first + row) * r], local, width);
     end = begin;
   }
-  substitute(panel(s, own.begin, own.begin, width, width), x);
+  substitute(panel(s, own.begin, own.begin, n_own, n_own), local, width);
   own.progress.reach(2);
   if (p == 0) branches[front.branch]->backward_done.reach(1);
-  for (std::int64_t k = 0; k < width; ++k) into[nodes.permutation[first + own.begin + k]] = x[k];
+  store_backward(first + own.begin, first + own.end);
 }
 
 void SupernodalPass::Impl::backward_subtree(Subtree& subtree) {
+  const auto r = static_cast<std::int64_t>(width);
   const Branch& branch = *branches[subtree.branch];
   if (branch.parent >= 0) branches[branch.parent]->backward_done.wait_for(1);
   const std::span<const std::int64_t> below = nodes.rows_below(branch.root);
-  for (std::size_t i = 0; i < below.size(); ++i) subtree.update[i] = solution[below[i]];
+  for (std::size_t i = 0; i < below.size(); ++i) std::copy_n(&solution[below[i] * r], r, &subtree.update[i * width]);
   const std::int32_t* outside = subtree.outside.data() + subtree.outside.size();
-  double* const x = subtree.work.data();
+  double* const local = subtree.work.data();
   const std::int64_t end = nodes.first_column[branch.root + 1];
   for (std::int64_t s = branch.root; s >= subtree.first; --s) {
     const std::int64_t n = nodes.n_columns(s), n_rows = nodes.n_rows(s), first = nodes.first_column[s];
     const std::int64_t* const rows = nodes.rows_of(s).data();
-    std::copy_n(&from[first], n, x);
+    for (std::int64_t k = 0; k < n; ++k) load(first + k, nullptr, local + k * r);
     std::int64_t i = n_rows;
-    for (; i > n && rows[i - 1] >= end; --i) x[i - 1] = subtree.update[*--outside];
-    for (; i > n; --i) x[i - 1] = solution[rows[i - 1]];
-    substitute(panel(s, 0, 0, n_rows, n), x);
-    std::copy_n(x, n, &solution[first]);
+    for (; i > n && rows[i - 1] >= end; --i) std::copy_n(&subtree.update[*--outside * r], r, local + (i - 1) * r);
+    for (; i > n; --i) std::copy_n(&solution[rows[i - 1] * r], r, local + (i - 1) * r);
+    substitute(panel(s, 0, 0, n_rows, n), local, width);
+    std::copy_n(local, n * r, &solution[first * r]);
   }
-  for (std::int64_t k = nodes.first_column[subtree.first]; k < end; ++k) into[nodes.permutation[k]] = solution[k];
+  store_backward(nodes.first_column[subtree.first], end);
 }
 
 SupernodalPass::SupernodalPass(const Supernodes& supernodes) : impl_(std::make_unique<Impl>(supernodes)) {}
 SupernodalPass::~SupernodalPass() = default;
 
-TaskList& SupernodalPass::forward(const double* factor, std::span<const double> b, std::span<double> y) {
-  impl_->factor = factor;
-  impl_->from = b;
-  impl_->into = y;
+TaskList& SupernodalPass::forward(const double* factor, std::span<const std::span<const double>> b,
+                                  std::span<const std::span<double>> y) {
+  impl_->begin(factor, b, y);
   return impl_->forward;
 }
 
-TaskList& SupernodalPass::backward(const double* factor, std::span<const double> y, std::span<double> x) {
-  impl_->factor = factor;
-  impl_->from = y;
-  impl_->into = x;
+TaskList& SupernodalPass::backward(const double* factor, std::span<const std::span<const double>> y,
+                                   std::span<const std::span<double>> x) {
+  impl_->begin(factor, y, x);
   return impl_->backward;
 }
 

@@ -2,7 +2,7 @@
 /// Forward and back substitution with a supernodal factor, in tasks for several threads. The elimination tree is cut
 /// into subtrees, one task each. The supernodes above them are cut into panels of columns, one task each, which start
 /// as soon as the panel before has done the rows that they need. The cuts do not depend on the number of threads, and
-/// every sum has one order, so the bits do not either.
+/// every sum has one order, so the bits do not either. They do depend on the number of vectors of a pass.
 /// Source: the multifrontal way of passing updates up the tree, Liu (1992); here of vectors.
 
 #include <memory>
@@ -36,10 +36,13 @@ class SupernodalPass {
   explicit SupernodalPass(const Supernodes& supernodes);
   ~SupernodalPass();
 
-  /// y = L^-1 P b as tasks; valid until the next call. The arrays must not overlap. @param factor  entries of L
-  TaskList& forward(const double* factor, std::span<const double> b, std::span<double> y);
+  /// y = L^-1 P b as tasks, for one or more vectors at once, for all of which the factor is read once. Valid until the
+  /// next call. The arrays must not overlap. @param factor  entries of L
+  TaskList& forward(const double* factor, std::span<const std::span<const double>> b,
+                    std::span<const std::span<double>> y);
   /// x = P^T L^-T y
-  TaskList& backward(const double* factor, std::span<const double> y, std::span<double> x);
+  TaskList& backward(const double* factor, std::span<const std::span<const double>> y,
+                     std::span<const std::span<double>> x);
 
  private:
   struct Impl;

@@ -118,7 +118,7 @@ creep::CreepSystem make_system(const config::Config& config, const model::Model&
 }
 
 std::unique_ptr<ode::Integrator> make_integrator(const config::Config& config, const model::Model& model,
-                                                 creep::CreepSystem& system) {
+                                                 creep::CreepSystem& system, ode::System& integrated) {
   const config::Time& time = config.time;
   // One of several processes may have nothing that creeps.
   if (time.end == 0 || !system.team().any(system.size() > 0))
@@ -133,7 +133,7 @@ std::unique_ptr<ode::Integrator> make_integrator(const config::Config& config, c
                                 ode::vibration_share(model.step_limits.n_steps() / steps_per_turn));
   // What chooses by itself would begin with a method that has no iterations.
   const bool chooses = system.assembly().heat() != nullptr && time.integrator == "auto";
-  return ode::make_integrator(chooses ? "cvode_bdf" : time.integrator, system, options);
+  return ode::make_integrator(chooses ? "cvode_bdf" : time.integrator, integrated, options);
 }
 
 }  // namespace creepcontact::run

@@ -38,7 +38,8 @@ creep::CreepSystem make_system(const config::Config& config, const model::Model&
                                creep::EquilibriumSolver& solver, Stopwatch& watch);
 
 /// A LoadPath if nothing creeps. @param config, model, system  must outlive the integrator
+/// @param integrated  what the integrator is to see of the system, with its state and more
 std::unique_ptr<ode::Integrator> make_integrator(const config::Config& config, const model::Model& model,
-                                                 creep::CreepSystem& system);
+                                                 creep::CreepSystem& system, ode::System& integrated);
 
 }  // namespace creepcontact::run

@@ -33,6 +33,7 @@
 #include "loop.hpp"
 #include "observers/observers.hpp"
 #include "preparation.hpp"
+#include "sensitivity/sensitive_integrator.hpp"
 #include "summary_file.hpp"
 #include "warning_order.hpp"
 
@@ -240,17 +241,26 @@ Summary run(const config::Config& given, const RunOptions& options) {
   std::optional<platform::Interrupt> interrupt;  // outlives all that takes time to be freed
   OutputDirectory directory(config, options);
 
+  std::vector<ChangedValue> changed;
+  together(team, [&] { changed = changed_values(config); });
+  std::optional<Kept> own;  // of the run and its variants
+  Kept* const kept = options.kept != nullptr || changed.empty() ? options.kept : &own.emplace();
+  linalg::GatheredPasses passes_of_variants;
   std::optional<model::Model> built;
   std::vector<std::unique_ptr<results::Probe>> probes;
   Summary finished;
   together(team, [&] {
-    built.emplace(model::build_model(config, options.kept != nullptr ? &options.kept->meshes : nullptr));
+    built.emplace(model::build_model(config, kept != nullptr ? &kept->meshes : nullptr));
     probes = results::make_probes(config, *built);  // errors in them show before anything is factored
     if (options.resume) finished.message = nothing_left(config, *built, directory.path());
     if (!finished.message.empty() && team.rank() == 0) renew_report(directory.path(), config);
   });
   model::Model& model = *built;
-  if (options.kept != nullptr) model.solver.stiffness_solver = options.kept->factors.lending();
+  if (kept != nullptr)
+    model.solver.stiffness_solver = kept->factors.lending(changed.empty() ? &kept->passes : &passes_of_variants);
+  if (team.size() > 1 && !changed.empty())
+    throw ConfigError(fmt::format("{}: derivatives (sensitivity.keys) are not yet possible on several processes; use one",
+                                  config.file.string()));
   require_one_model(team, config, model);
   if (team.any(team.rank() == 0 && !finished.message.empty())) return finished;
   if (team.size() > 1 && model.assembly.heat() != nullptr)
@@ -287,6 +297,19 @@ Summary run(const config::Config& given, const RunOptions& options) {
     checkpoints.remove();
   }
   ObservedSystem observed(distribution, system, probes);
+  std::optional<Variants> variants;
+  std::optional<SensitiveSystem> with_derivatives;
+  std::unique_ptr<ode::Integrator> integrator;
+  SensitiveIntegrator* sensitive = nullptr;
+  if (changed.empty()) {
+    integrator = make_integrator(config, model, system, system);
+  } else {
+    variants.emplace(changed, system, *kept, passes_of_variants);
+    with_derivatives.emplace(*variants);
+    auto made = std::make_unique<SensitiveIntegrator>(make_integrator(config, model, system, *with_derivatives), *variants);
+    sensitive = made.get();
+    integrator = std::move(made);
+  }
   const RunContext context{.config = config,
                            .model = model,
                            .observed = observed,
@@ -294,13 +317,14 @@ Summary run(const config::Config& given, const RunOptions& options) {
                            .directory = directory.path(),
                            .integrates = team.any(system.size() > 0),
                            .resumed = resumed ? &resumed->arrays : nullptr,
-                           .begin = resumed ? resumed->time : 0};
+                           .begin = resumed ? resumed->time : 0,
+                           .sensitive = sensitive};
   ObserverList observers = make_observers(context, options.observers);
   std::optional<Loop> loop;
   SummaryFile file(context, observers, directory.earlier_warnings(), warnings,
                    [&loop](Summary& summary) { loop->describe(summary); });
   observers.add(file);
-  loop.emplace(context, observers, make_integrator(config, model, system), checkpoints);
+  loop.emplace(context, observers, std::move(integrator), checkpoints);
 
   Summary summary = run_loop(*loop, observers, file, checkpoints, context, resumed ? &*resumed : nullptr);
   if (!summary.has_output || summary.results.status == io::Summary::Status::failed) return summary;

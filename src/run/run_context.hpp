@@ -10,6 +10,8 @@
 
 namespace creepcontact::run {
 
+class SensitiveIntegrator;
+
 /// Everything in it outlives the loop and its observers.
 struct RunContext {
   const config::Config& config;
@@ -20,6 +22,7 @@ struct RunContext {
   bool integrates = false;                 ///< something creeps, in some process
   const creep::Memory* resumed = nullptr;  ///< of the checkpoint from which the run is resumed; null: a new run
   double begin = 0;                        ///< time at which this part of the run begins
+  SensitiveIntegrator* sensitive = nullptr;  ///< of the run; null: no derivatives are wanted
 
   creep::CreepSystem& system() const { return observed.system(); }
   const Team& team() const { return observed.team(); }

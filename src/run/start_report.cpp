@@ -74,7 +74,7 @@ class StartReport {
     constexpr double never = std::numeric_limits<double>::infinity();
     const std::vector<double> y = system_.initial_state();
     try {
-      const auto integrator = make_integrator(config_, model, system_);
+      const auto integrator = make_integrator(config_, model, system_, system_);
       system_.begin_segment(-never, first != model.breakpoints.end() ? *first : config_.time.end);
       system_.evaluate_output(0, y);
       integrator->initialize(0, y);

@@ -628,6 +628,12 @@ struct GeneralizedPlaneStrain {
   bool per_body = false;           ///< each body has its own axial strain, which follows from Body::axial_force
 };
 
+/// [sensitivity]
+struct Sensitivity {
+  std::vector<Reference> keys;   ///< numbers of the configuration, with respect to which results are differentiated
+  std::vector<double> changes;   ///< a typical change of each, empty: their values
+};
+
 /// A configuration that has been read and checked, or made in code and completed (writer.hpp).
 struct Config {
   std::filesystem::path file;  ///< as given by the user
@@ -660,6 +666,7 @@ struct Config {
   std::vector<Probe> probes;
   std::vector<Event> events;
   std::vector<Criterion> criteria;
+  Sensitivity sensitivity;
 
   /// @throws std::out_of_range if the name is unknown (reading has checked those that bodies refer to)
   const Material& material(const std::string& name) const;

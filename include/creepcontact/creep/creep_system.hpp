@@ -109,6 +109,7 @@ class CreepSystem final : public ode::System,
   /// Restricts the time at which loads, supports, gaps and temperatures are evaluated to the open interval (begin,
   /// end). Jumps at its two ends then give the one-sided limits from within.
   void begin_segment(double begin, double end);
+  double begin_of_segment() const { return segment_begin_; }
 
   /// The evaluation at (t, y) for results; valid until the next call of a non-const member. Reuses an evaluation made
   /// for a step at the same point. @throws RecoverableError if no equilibrium is found

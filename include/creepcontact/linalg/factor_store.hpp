@@ -1,16 +1,17 @@
 #pragma once
-/// Factors that outlive the runs that made them, for further runs with the same stiffness.
+/// Factors that outlive the runs that made them, for other runs with the same stiffness.
 
 #include <cstdint>
 #include <memory>
 
+#include "creepcontact/linalg/gathered_passes.hpp"
 #include "creepcontact/linalg/stiffness_solver.hpp"
 
 namespace creepcontact::linalg {
 
-/// Lends factors. One that comes back is kept and lent again for the same matrix, to the last bit, without being
-/// computed again; for another matrix of the same pattern its analysis is used again. At most as many are kept as have
-/// been lent at once. Several threads may use one store, each gets factors of its own.
+/// Lends factors. The same matrix, to the last bit, is factored once, and all who need its factor at a time share it;
+/// another matrix of the same pattern is not analysed again. As many factors as were in use at a time are kept when
+/// nobody uses them. Several threads may use one store.
 class FactorStore {
  public:
   FactorStore();
@@ -19,8 +20,10 @@ class FactorStore {
   FactorStore(const FactorStore&) = delete;
   FactorStore& operator=(const FactorStore&) = delete;
 
-  /// Makes solvers that come back to the store when they are destroyed. @param make  makes those that it lacks
-  StiffnessSolverFactory lending(StiffnessSolverFactory make = default_stiffness_solver);
+  /// Makes solvers with factors of the store. @param make  makes those that it lacks, with a shared_factor()
+  /// @param gathering  of their passes; null: none. It must outlive the solvers
+  StiffnessSolverFactory lending(GatheredPasses* gathering = nullptr,
+                                 StiffnessSolverFactory make = default_stiffness_solver);
   /// Factorisations computed by all that have been lent.
   std::int64_t n_computed() const;
   /// Factorisations that were found computed.

@@ -24,19 +24,34 @@ struct SingularMatrix {
   double rcond = 0;
 };
 
+class GatheredPasses;
+
+enum class PassDirection { forward, backward };
+
+/// A vector of a pass through a factor; both may be the same array.
+struct PassVector {
+  std::span<const double> from;
+  std::span<double> into;
+};
+
 /// A solver for one symmetric positive definite matrix, or several of the same pattern. Not safe for concurrent calls
 /// on one object; different objects may be used concurrently.
 class StiffnessSolver {
  public:
   virtual ~StiffnessSolver() = default;
 
-  /// A new solver for matrices of the same pattern, without a second analysis; factorize() must follow.
-  /// Cost: a copy of the factor. @throws SolverError if memory runs out
+  /// A new solver for matrices of the same pattern, without a second analysis. factorize() must follow, unless it has
+  /// the factor of this one: shared_factor(). @throws SolverError if memory runs out
   virtual std::unique_ptr<StiffnessSolver> same_pattern() const = 0;
 
   /// Numeric factorisation. @param lower  with the pattern that was analysed
   /// @throws SingularMatrix, after which factorize() may be called again; SolverError if memory runs out
   virtual void factorize(const SparseMatrix& lower) = 0;
+
+  /// What solvers have in common that share one factor, in different threads too; null: it is shared with none.
+  virtual const void* shared_factor() const { return nullptr; }
+  /// Where passes of several threads come together; null: each is made on its own.
+  virtual GatheredPasses* gathering() { return nullptr; }
 
   /// True if the last factorize() found the factor of its matrix computed already (FactorStore).
   virtual bool found_factor() const { return false; }
@@ -52,6 +67,9 @@ class StiffnessSolver {
   /// forward() and backward() as tasks. The list is valid until the next call.
   virtual TaskList& forward_tasks(std::span<const double> b, std::span<double> y) = 0;
   virtual TaskList& backward_tasks(std::span<const double> y, std::span<double> x) = 0;
+  /// Either of them for several vectors at once, for all of which the factor is read once.
+  /// @throws std::logic_error if there is no shared_factor()
+  virtual TaskList& tasks_of_several(PassDirection direction, std::span<const PassVector> vectors);
 
   /// L22, trailing_size() square, lower triangular with a zero upper part. Cost: a copy.
   virtual Eigen::MatrixXd trailing_factor() const = 0;
@@ -73,9 +91,15 @@ struct Substitution {
   std::span<const double> from;
   std::span<double> into;
 };
-/// Forward or back substitution with the factors of several bodies, whose tasks share the threads.
-void forward(std::span<const Substitution> of_bodies);
-void backward(std::span<const Substitution> of_bodies);
+/// Forward or back substitution with the factors of several bodies, whose tasks share the threads. Within
+/// GatheredPasses::run() it waits for those of the other threads.
+void pass(PassDirection direction, std::span<const Substitution> of_bodies);
+inline void forward(std::span<const Substitution> of_bodies) {
+  pass(PassDirection::forward, of_bodies);
+}
+inline void backward(std::span<const Substitution> of_bodies) {
+  pass(PassDirection::backward, of_bodies);
+}
 
 /// A matrix to be ordered and analysed.
 struct StiffnessToAnalyze {

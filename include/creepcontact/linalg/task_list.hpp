@@ -42,6 +42,9 @@ class SingleTask final : public TaskList {
 /// @param parallel_from  work from which other threads are woken
 void run(std::span<TaskList* const> lists, double parallel_from);
 
+/// Entries of the factors from which threads are woken for a pass: it takes some tenths of a millisecond then.
+constexpr double pass_in_parallel_from = 1 << 19;
+
 /// The order in which run() starts the tasks.
 struct ListedTask {
   TaskList* list;

@@ -33,11 +33,12 @@ struct Processes {
   std::function<std::vector<std::pair<std::string, double>>()> work = {};
 };
 
-/// What runs leave for further runs of models that differ in other things: meshes and factors. Several runs may use it
-/// at once.
+/// What runs share with other runs, later ones and those at the same time, of models that differ in other things:
+/// meshes, factors, and passes through the factors. It must outlive them.
 struct Kept {
   model::MeshStore meshes;
-  linalg::FactorStore factors;  ///< of one process, by the direct method
+  linalg::FactorStore factors;    ///< of one process, by the direct method
+  linalg::GatheredPasses passes;  ///< jobs of it that are runs make their passes together
 };
 
 /// Options that are not part of the configuration.

@@ -166,6 +166,12 @@ std::string summary_text(const Summary& summary) {
     if (criterion.position) own["place"] = *criterion.position;
   }
   for (const auto& [name, time] : summary.events) json["events"][name] = time ? Json(*time) : Json(nullptr);
+  for (const Summary::Sensitivity& one : summary.sensitivities) {
+    Json& own = json["sensitivity"][one.key];
+    own = {{"value", one.value}, {"change", one.change}, {"probes", Json::object()}};
+    for (const auto& [name, derivative] : one.probes) own["probes"][name] = derivative;
+    for (const auto& [name, derivative] : one.events) own["events"][name] = derivative;
+  }
   json["status"] = text(summary.status);
   if (!summary.message.empty()) json["message"] = summary.message;
   json["time_reached"] = summary.time_reached;

@@ -55,6 +55,21 @@ std::map<std::string, Summary::Largest> extremes_of(const nlohmann::json& summar
   return result;
 }
 
+void read_sensitivities(const nlohmann::json& json, Summary& summary) {
+  const auto found = json.find("sensitivity");
+  if (found == json.end() || !found->is_object()) return;
+  for (const auto& [key, own] : found->items()) {
+    if (!own.is_object()) continue;
+    Summary::Sensitivity& one = summary.sensitivities.emplace_back();
+    one.key = key;
+    one.value = number(own, "value");
+    one.change = number(own, "change");
+    for (const auto& [name, to] : {std::pair("probes", &one.probes), std::pair("events", &one.events)})
+      if (const auto derivatives = own.find(name); derivatives != own.end() && derivatives->is_object())
+        for (const auto& [of, derivative] : derivatives->items()) (*to)[of] = derivative.is_number() ? derivative.get<double>() : NAN;
+  }
+}
+
 void read_criteria(const nlohmann::json& json, Summary& summary) {
   const auto found = json.find("criteria");
   if (found == json.end() || !found->is_object()) return;
@@ -193,6 +208,7 @@ std::optional<Summary> parse_summary(std::string_view text) {
     for (const RunCounters::Field& field : RunCounters::fields) summary.*field.value = count(json, field.name);
     summary.events = events_of(json);
     read_criteria(json, summary);
+    read_sensitivities(json, summary);
     summary.warnings = json.value("warnings", std::vector<std::string>());
     read_wall_seconds(json.at("wall_seconds"), summary);
     summary.title = json.value("title", "");

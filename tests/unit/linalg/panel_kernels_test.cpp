@@ -84,5 +84,35 @@ TEST_F(PanelKernels, Substitutions) {
   });
 }
 
+TEST_F(PanelKernels, SeveralVectorsAreThoseOfOneAtATime) {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  for (const std::size_t vectors : {2, 5, 16})
+    for_each_shape([&](Index rows, Index columns) {
+      const Index n = static_cast<Index>(vectors);
+      const Eigen::MatrixXd l = matrix(rows, columns), t = trapezoid(rows, columns);
+      const Rows x = matrix(columns, n), y = matrix(rows, n), both = matrix(columns + rows, n);
+      Rows product = y, transposed = x, eliminated = both, substituted = both;
+      subtract_product(panel(l), x.data(), product.data(), vectors);
+      subtract_transposed_product(panel(l), y.data(), transposed.data(), vectors);
+      eliminate(panel(t), eliminated.data(), vectors);
+      substitute(panel(t), substituted.data(), vectors);
+      for (Index v = 0; v < n; ++v) {
+        const Eigen::VectorXd of_x = x.col(v), of_y = y.col(v);
+        Eigen::VectorXd one = of_y;
+        subtract_product(panel(l), of_x.data(), one.data());
+        EXPECT_LE((product.col(v) - one).lpNorm<Eigen::Infinity>(), 1e-13);
+        one = of_x;
+        subtract_transposed_product(panel(l), of_y.data(), one.data());
+        EXPECT_LE((transposed.col(v) - one).lpNorm<Eigen::Infinity>(), 1e-12);
+        one = both.col(v);
+        eliminate(panel(t), one.data());
+        EXPECT_LE((eliminated.col(v) - one).lpNorm<Eigen::Infinity>(), 1e-12);
+        one = both.col(v);
+        substitute(panel(t), one.data());
+        EXPECT_LE((substituted.col(v) - one).lpNorm<Eigen::Infinity>(), 1e-11);
+      }
+    });
+}
+
 }  // namespace
 }  // namespace creepcontact::linalg

@@ -150,6 +150,14 @@ struct Summary : RunCounters {
     double largest() const;
   };
 
+  /// Derivatives with respect to a number of the configuration.
+  struct Sensitivity {
+    std::string key;
+    double value = 0, change = 0;                 ///< the number, and a typical change of it
+    std::map<std::string, double> probes = {};    ///< of each at the last output
+    std::map<std::string, double> events = {};    ///< of the times of those that happened
+  };
+
   /// True if the values of the end are those of the last output, and the run went on from there or should have.
   bool ended_early() const { return status == Status::failed || status == Status::interrupted; }
 
@@ -184,6 +192,7 @@ struct Summary : RunCounters {
   /// Time of each event by its name, nullopt if it has not happened; omitted if empty.
   std::map<std::string, std::optional<double>> events;
   std::map<std::string, Criterion> criteria;  ///< by name; omitted if empty
+  std::vector<Sensitivity> sensitivities;     ///< omitted if empty
 };
 
 /// What a contact did beyond carrying a force, as the rest of a sentence that begins with its name: "is open from t = 3

@@ -1,0 +1,83 @@
+#include "sensitive_integrator.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace creepcontact::run {
+namespace {
+
+const std::string vectors_name = "vectors";
+
+}  // namespace
+
+SensitiveIntegrator::SensitiveIntegrator(std::unique_ptr<ode::Integrator> inner, Variants& variants)
+    : inner_(std::move(inner)),
+      variants_(variants),
+      n_(variants.base().size()),
+      whole_((variants.n_values() + 1) * n_, 0.0) {}
+
+void SensitiveIntegrator::initialize(double t, std::span<const double> y, double step) {
+  if (has_stepped_) whole_ = whole_at(t);
+  std::ranges::copy(y, whole_.begin());
+  // The variants pass the breakpoint with the state that they have before it.
+  variants_.for_each(whole_, [](Variant&, std::span<const double>) {});
+  inner_->initialize(t, whole_, step);
+  whole_.assign(inner_->state().begin(), inner_->state().end());
+  has_stepped_ = false;
+  begin_ = t;
+}
+
+ode::StepReport SensitiveIntegrator::step(double t_limit) {
+  begin_ = inner_->time();
+  const ode::StepReport report = inner_->step(t_limit);
+  has_stepped_ = true;
+  if (n_ == 0)  // the path of loads alone, which the variants follow too
+    variants_.for_each(whole_, [&](Variant& variant, std::span<const double> y) {
+      variant.system().evaluate_step(report.time, y);
+      variant.system().accept(report.time, y);
+    });
+  return report;
+}
+
+void SensitiveIntegrator::interpolate(double t, std::span<double> y) const {
+  std::vector<double> whole(whole_.size());
+  inner_->interpolate(t, whole);
+  std::copy_n(whole.begin(), n_, y.begin());
+}
+
+std::vector<double> SensitiveIntegrator::whole_at(double t) const {
+  if (!has_stepped_) return whole_;
+  if (t == inner_->time()) return {inner_->state().begin(), inner_->state().end()};
+  std::vector<double> whole(whole_.size());
+  inner_->interpolate(t, whole);
+  return whole;
+}
+
+std::vector<double> SensitiveIntegrator::derivatives() const {
+  const std::vector<double> whole = whole_at(inner_->time());
+  return {whole.begin() + static_cast<std::ptrdiff_t>(n_), whole.end()};
+}
+
+void SensitiveIntegrator::set_derivatives(std::span<const double> derivatives) {
+  std::ranges::copy(derivatives, whole_.begin() + static_cast<std::ptrdiff_t>(n_));
+}
+
+ode::RestartPoint SensitiveIntegrator::save() const {
+  ode::RestartPoint point = inner_->save();
+  point.state.resize(n_);  // derivatives() has the rest
+  point.memory.add(vectors_name, std::exchange(point.states, {}));
+  return point;
+}
+
+void SensitiveIntegrator::restore(const ode::RestartPoint& point) {
+  std::ranges::copy(point.state, whole_.begin());
+  has_stepped_ = false;
+  begin_ = point.time;
+  ode::RestartPoint whole = point;
+  whole.state = whole_;
+  whole.states = point.memory.part(vectors_name);
+  inner_->restore(whole);
+  variants_.for_each(whole_, [&](Variant& variant, std::span<const double> y) { variant.resume(point.time, y); });
+}
+
+}  // namespace creepcontact::run
