@@ -21,6 +21,7 @@
 #include "model_record.hpp"
 #include "model_view.hpp"
 #include "preparation.hpp"
+#include "sensitivity/changed_values.hpp"
 #include "start_report.hpp"
 
 namespace creepcontact::run {
@@ -40,6 +41,7 @@ std::string contact_text(const contact::Pair& pair, const config::Contact& conta
 
 void check(const config::Config& given, std::ostream& report, const CheckOptions& options) {
   const config::Config config = with_what_is_computed(config::completed(given, vocabulary()));
+  changed_values(config);
   const std::filesystem::path directory = output_directory(config, options.output);
   require_output(directory, options.resume);
   const model::Model model = model::build_model(config);
