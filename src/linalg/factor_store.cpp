@@ -114,9 +114,7 @@ class FactorStore::Content {
   std::atomic<std::int64_t> n_computed = 0, n_found = 0;
 
  private:
-  std::list<Entry>::iterator find(const Key& key) {
-    return std::ranges::find(entries_, key, &Entry::key);
-  }
+  std::list<Entry>::iterator find(const Key& key) { return std::ranges::find(entries_, key, &Entry::key); }
   void count_use() {
     const auto in_use = std::ranges::count_if(entries_, [](const Entry& entry) { return entry.users > 0; });
     most_in_use_ = std::max(most_in_use_, static_cast<std::size_t>(in_use));

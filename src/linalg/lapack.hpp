@@ -1,6 +1,6 @@
 #pragma once
-/// The routines of BLAS and LAPACK that this module uses, with the lengths that Fortran adds for arguments of type character.
-/// Matrices column by column. Source: Anderson and others, LAPACK Users' Guide (1999).
+/// The routines of BLAS and LAPACK that this module uses, with the lengths that Fortran adds for arguments of type
+/// character. Matrices column by column. Source: Anderson and others, LAPACK Users' Guide (1999).
 
 #include <cstddef>
 

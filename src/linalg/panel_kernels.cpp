@@ -204,7 +204,8 @@ CREEPCONTACT_BEST_INSTRUCTIONS void subtract_product_of_one(const Panel& panel, 
   }
 }
 
-CREEPCONTACT_BEST_INSTRUCTIONS void subtract_transposed_product_of_one(const Panel& panel, const double* from, double* to) {
+CREEPCONTACT_BEST_INSTRUCTIONS void subtract_transposed_product_of_one(const Panel& panel, const double* from,
+                                                                       double* to) {
   for_each_strip(
       panel.n_columns, [&]<std::size_t columns>(std::int64_t column) __attribute__((always_inline)) {
         subtract_dot_products<columns>(panel.entries + column * panel.stride, panel.stride, panel.n_rows, from,
@@ -226,7 +227,8 @@ void subtract_blas(char transposed, const Panel& panel, std::int64_t n, std::int
 
 /// With the triangle of a panel. @param transposed  'T': x1 = L11^-1 x1, 'N': x1 = L11^-T x1
 void solve_blas(char transposed, const Panel& panel, double* x, std::size_t vectors) {
-  const int m = static_cast<int>(vectors), n = static_cast<int>(panel.n_columns), stride = static_cast<int>(panel.stride);
+  const int m = static_cast<int>(vectors), n = static_cast<int>(panel.n_columns),
+            stride = static_cast<int>(panel.stride);
   const double one = 1;
   dtrsm_("R", "L", &transposed, "N", &m, &n, &one, panel.entries, &stride, x, &m, 1, 1, 1, 1);
 }

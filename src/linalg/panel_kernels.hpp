@@ -1,7 +1,7 @@
 #pragma once
 /// Products and substitutions with the dense columns of a supernodal factor. Such a column is read once per pass, so
-/// its speed is that of the memory: eight columns are read side by side, and the vectors stay in the cache. With several
-/// vectors the BLAS does the work.
+/// its speed is that of the memory: eight columns are read side by side, and the vectors stay in the cache. With
+/// several vectors the BLAS does the work.
 ///
 /// A panel is a column-major array L of rows x columns entries, `stride` apart from column to column. Machine
 /// instructions are chosen when the program starts.

@@ -331,9 +331,8 @@ void SupernodalPass::Impl::assemble(Front& front) {
     const Branch& branch = *branches[child];
     branch.forward_done.wait_for(1);
     const std::size_t n_update = branch.in_front.size() * width;
-    const std::span<double> update = subtree_of[child] >= 0
-                                         ? std::span(subtrees[subtree_of[child]].update)
-                                         : std::span(fronts[front_of[child]]->values).last(n_update);
+    const std::span<double> update = subtree_of[child] >= 0 ? std::span(subtrees[subtree_of[child]].update)
+                                                            : std::span(fronts[front_of[child]]->values).last(n_update);
     if (front_of[child] >= 0) {
       for (const Column& panel : fronts[front_of[child]]->panels) {
         const double* const of_panel = panel.update.data() + (panel.update.size() - update.size());

@@ -22,6 +22,7 @@
 #include "run_data.hpp"
 #include "run_labels.hpp"
 #include "run_sections.hpp"
+#include "sensitivity_section.hpp"
 #include "title_block.hpp"
 
 namespace creepcontact::report {
@@ -121,6 +122,7 @@ void add_one(const RunData& run, Script script, Drawings& drawings, Html& page, 
   if (const std::string text = ending(run); !text.empty()) page.element("p", text, "class=\"ending\" role=\"note\"");
   parts.add_if_any("question", "Question", [&] { add_question({run}, page); });
   parts.add_if_any("criteria", "Criteria", [&] { add_criteria(run, page); });
+  parts.add_if_any("sensitivities", "Sensitivities", [&] { add_sensitivities(run, page); });
   parts.add("answer", "What came out", [&] { add_answer(run, page); });
   parts.add("histories", "Histories", [&] { add_histories(run, drawings, page); });
   parts.add_if_any("cycles", "Cycles", [&] { add_cycles(run, drawings, page); });

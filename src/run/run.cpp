@@ -259,8 +259,8 @@ Summary run(const config::Config& given, const RunOptions& options) {
   if (kept != nullptr)
     model.solver.stiffness_solver = kept->factors.lending(changed.empty() ? &kept->passes : &passes_of_variants);
   if (team.size() > 1 && !changed.empty())
-    throw ConfigError(fmt::format("{}: derivatives (sensitivity.keys) are not yet possible on several processes; use one",
-                                  config.file.string()));
+    throw ConfigError(fmt::format(
+        "{}: derivatives (sensitivity.keys) are not yet possible on several processes; use one", config.file.string()));
   require_one_model(team, config, model);
   if (team.any(team.rank() == 0 && !finished.message.empty())) return finished;
   if (team.size() > 1 && model.assembly.heat() != nullptr)
@@ -306,7 +306,8 @@ Summary run(const config::Config& given, const RunOptions& options) {
   } else {
     variants.emplace(changed, system, *kept, passes_of_variants);
     with_derivatives.emplace(*variants);
-    auto made = std::make_unique<SensitiveIntegrator>(make_integrator(config, model, system, *with_derivatives), *variants);
+    auto made = std::make_unique<SensitiveIntegrator>(make_integrator(config, model, system, *with_derivatives),
+                                                      *with_derivatives, *variants);
     sensitive = made.get();
     integrator = std::move(made);
   }

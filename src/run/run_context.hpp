@@ -18,10 +18,10 @@ struct RunContext {
   const model::Model& model;
   ObservedSystem& observed;
   Stopwatch& watch;
-  std::filesystem::path directory;         ///< of the results; empty: no files are written
-  bool integrates = false;                 ///< something creeps, in some process
-  const creep::Memory* resumed = nullptr;  ///< of the checkpoint from which the run is resumed; null: a new run
-  double begin = 0;                        ///< time at which this part of the run begins
+  std::filesystem::path directory;           ///< of the results; empty: no files are written
+  bool integrates = false;                   ///< something creeps, in some process
+  const creep::Memory* resumed = nullptr;    ///< of the checkpoint from which the run is resumed; null: a new run
+  double begin = 0;                          ///< time at which this part of the run begins
   SensitiveIntegrator* sensitive = nullptr;  ///< of the run; null: no derivatives are wanted
 
   creep::CreepSystem& system() const { return observed.system(); }

@@ -59,7 +59,8 @@ config::Config sample(const Case& of, std::size_t i, std::size_t n) {
 
 std::vector<double> last_probes(const config::Config& config, run::Kept* kept) {
   run::ResultsInMemory results(config);
-  const run::Summary summary = run::run(config, {.output = {}, .writes_files = false, .kept = kept, .observers = {&results}});
+  const run::Summary summary =
+      run::run(config, {.output = {}, .writes_files = false, .kept = kept, .observers = {&results}});
   if (summary.exit_status != 0) throw std::runtime_error(summary.message);
   const std::vector<double>& values = results.probe_values();
   return {values.end() - static_cast<std::ptrdiff_t>(config.probes.size()), values.end()};
@@ -88,7 +89,8 @@ void ensemble(benchmark::State& state) {
     double difference = 0;
     for (std::size_t k = 0; k < n_single; ++k)
       for (std::size_t p = 0; p < single[k].size(); ++p)
-        difference = std::max(difference, std::abs(values[k * n / n_single + n / (2 * n_single)][p] / single[k][p] - 1));
+        difference =
+            std::max(difference, std::abs(values[k * n / n_single + n / (2 * n_single)][p] / single[k][p] - 1));
     state.counters["single_seconds"] = of_single;
     state.counters["of_single_runs"] = seconds / (of_single * static_cast<double>(n));
     state.counters["vectors"] = static_cast<double>(counters.vectors) / static_cast<double>(counters.passes);

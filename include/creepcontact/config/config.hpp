@@ -630,8 +630,8 @@ struct GeneralizedPlaneStrain {
 
 /// [sensitivity]
 struct Sensitivity {
-  std::vector<Reference> keys;   ///< numbers of the configuration, with respect to which results are differentiated
-  std::vector<double> changes;   ///< a typical change of each, empty: their values
+  std::vector<Reference> keys;  ///< numbers of the configuration, with respect to which results are differentiated
+  std::vector<double> changes;  ///< a typical change of each, empty: their values
 };
 
 /// A configuration that has been read and checked, or made in code and completed (writer.hpp).

@@ -1,6 +1,6 @@
 #pragma once
-/// Passes of several threads through the same factors, made together: a factor is read once for all of them, which takes
-/// most of the time of a pass.
+/// Passes of several threads through the same factors, made together: a factor is read once for all of them, which
+/// takes most of the time of a pass.
 
 #include <condition_variable>
 #include <cstdint>
@@ -53,8 +53,8 @@ class GatheredPasses {
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::map<std::thread::id, Job> jobs_;     // under way
-  std::vector<std::thread::id> ended_;      // of them
+  std::map<std::thread::id, Job> jobs_;  // under way
+  std::vector<std::thread::id> ended_;   // of them
   std::vector<Request*> waiting_;
   std::map<std::size_t, std::exception_ptr> failures_;
   Counters counters_;

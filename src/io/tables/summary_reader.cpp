@@ -66,7 +66,8 @@ void read_sensitivities(const nlohmann::json& json, Summary& summary) {
     one.change = number(own, "change");
     for (const auto& [name, to] : {std::pair("probes", &one.probes), std::pair("events", &one.events)})
       if (const auto derivatives = own.find(name); derivatives != own.end() && derivatives->is_object())
-        for (const auto& [of, derivative] : derivatives->items()) (*to)[of] = derivative.is_number() ? derivative.get<double>() : NAN;
+        for (const auto& [of, derivative] : derivatives->items())
+          (*to)[of] = derivative.is_number() ? derivative.get<double>() : NAN;
   }
 }
 

@@ -30,7 +30,8 @@ class Sensitivities final : public Observer {
     if (context.directory.empty()) return;
     std::vector<std::string> names;
     for (const config::Probe& probe : context.config.probes)
-      for (const ChangedValue& value : variants_.values()) names.push_back(fmt::format("d_{}__{}", probe.name, value.key));
+      for (const ChangedValue& value : variants_.values())
+        names.push_back(fmt::format("d_{}__{}", probe.name, value.key));
     file_.emplace(context.directory / "sensitivity.csv", names,
                   io::Continuation{.resume = context.resumed != nullptr, .last_time = context.begin},
                   context.config.output.csv);
@@ -126,7 +127,8 @@ class Sensitivities final : public Observer {
         derivatives_[k].push_back(Variants::derivative(more.probes[p], less.probes[p]));
       if (more.closed == less.closed) continue;
       log::warning(
-          "sensitivity: at t = {:.6g} other nodes are in contact with a little more than with a little less of '{}': the "
+          "sensitivity: at t = {:.6g} other nodes are in contact with a little more than with a little less of '{}': "
+          "the "
           "derivatives there are means of two one-sided ones",
           view.time(), variants_.values()[k].key);
     }

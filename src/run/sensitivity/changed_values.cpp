@@ -48,9 +48,10 @@ std::optional<double> number_in(const std::string& text) {
 
 /// Why there are no derivatives with this key; empty: there are.
 std::string obstacle(const std::string& key) {
-  for (const char* const table : {"mesh.", "time.", "output.", "contact_solver.", "linear_solver.", "report.", "probes[",
-                                  "events[", "criteria[", "surfaces.", "sensitivity."})
-    if (key.starts_with(table)) return "no result has a derivative with respect to it; allowed: what describes the model";
+  for (const char* const table : {"mesh.", "time.", "output.", "contact_solver.", "linear_solver.", "report.",
+                                  "probes[", "events[", "criteria[", "surfaces.", "sensitivity."})
+    if (key.starts_with(table))
+      return "no result has a derivative with respect to it; allowed: what describes the model";
   return "";
 }
 
@@ -67,8 +68,7 @@ std::string obstacle(const config::Config& config) {
 }
 
 config::Config with_value(const config::Config& config, const std::string& text, const std::string& key, double value) {
-  config::Config changed =
-      config::parse(text, config.file, vocabulary(), {fmt::format("{}={}", key, value)});
+  config::Config changed = config::parse(text, config.file, vocabulary(), {fmt::format("{}={}", key, value)});
   changed.mesh.trust_geometry = config.mesh.trust_geometry;
   return changed;
 }
@@ -95,7 +95,8 @@ std::vector<ChangedValue> changed_values(const config::Config& config) {
       std::vector<std::string> names;
       for (const config::ConfiguredValue& one : values)
         if (number_in(one.text) && obstacle(one.key).empty()) names.push_back(one.key);
-      add_error(reference, fmt::format("this configuration has no value '{}'{}", reference.name, did_you_mean(key, names)));
+      add_error(reference,
+                fmt::format("this configuration has no value '{}'{}", reference.name, did_you_mean(key, names)));
       continue;
     }
     if (const std::string why = obstacle(key); !why.empty()) {
@@ -104,14 +105,17 @@ std::vector<ChangedValue> changed_values(const config::Config& config) {
     }
     const std::optional<double> value = number_in(found->text);
     if (!value) {
-      add_error(reference, fmt::format("the value of '{}' is {}; allowed: a key whose value is a number", reference.name,
-                                       found->text));
+      add_error(reference, fmt::format("the value of '{}' is {}; allowed: a key whose value is a number",
+                                       reference.name, found->text));
       continue;
     }
-    ChangedValue one{.key = key, .value = *value, .change = wanted.changes.empty() ? std::abs(*value) : wanted.changes[k]};
+    ChangedValue one{
+        .key = key, .value = *value, .change = wanted.changes.empty() ? std::abs(*value) : wanted.changes[k]};
     if (one.change == 0) {
-      add_error(reference, fmt::format("the value of '{}' is 0, which does not tell what a small change is; give typical "
-                                       "changes of all keys as sensitivity.changes", reference.name));
+      add_error(reference,
+                fmt::format("the value of '{}' is 0, which does not tell what a small change is; give typical "
+                            "changes of all keys as sensitivity.changes",
+                            reference.name));
       continue;
     }
     try {

@@ -10,9 +10,9 @@ namespace creepcontact::run {
 
 /// A number of a configuration, and the configurations with more and less of it.
 struct ChangedValue {
-  std::string key;    ///< "contacts[0].gap"
+  std::string key;  ///< "contacts[0].gap"
   double value = 0;
-  double change = 0;  ///< a typical one, > 0: results are differentiated with respect to value/change
+  double change = 0;          ///< a typical one, > 0: results are differentiated with respect to value/change
   config::Config more, less;  ///< with value + and - relative_change * change
 };
 

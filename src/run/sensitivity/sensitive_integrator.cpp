@@ -10,8 +10,10 @@ const std::string vectors_name = "vectors";
 
 }  // namespace
 
-SensitiveIntegrator::SensitiveIntegrator(std::unique_ptr<ode::Integrator> inner, Variants& variants)
+SensitiveIntegrator::SensitiveIntegrator(std::unique_ptr<ode::Integrator> inner, SensitiveSystem& system,
+                                         Variants& variants)
     : inner_(std::move(inner)),
+      system_(system),
       variants_(variants),
       n_(variants.base().size()),
       whole_((variants.n_values() + 1) * n_, 0.0) {}
@@ -21,6 +23,7 @@ void SensitiveIntegrator::initialize(double t, std::span<const double> y, double
   std::ranges::copy(y, whole_.begin());
   // The variants pass the breakpoint with the state that they have before it.
   variants_.for_each(whole_, [](Variant&, std::span<const double>) {});
+  system_.set_scale(whole_);
   inner_->initialize(t, whole_, step);
   whole_.assign(inner_->state().begin(), inner_->state().end());
   has_stepped_ = false;
@@ -76,6 +79,7 @@ void SensitiveIntegrator::restore(const ode::RestartPoint& point) {
   ode::RestartPoint whole = point;
   whole.state = whole_;
   whole.states = point.memory.part(vectors_name);
+  system_.set_scale(whole_);
   inner_->restore(whole);
   variants_.for_each(whole_, [&](Variant& variant, std::span<const double> y) { variant.resume(point.time, y); });
 }

@@ -12,8 +12,8 @@ namespace creepcontact::run {
 class SensitiveIntegrator final : public ode::Integrator {
  public:
   /// @param inner  of the system, or, if that has no state, of the run alone
-  /// @param variants  must outlive the object
-  SensitiveIntegrator(std::unique_ptr<ode::Integrator> inner, Variants& variants);
+  /// @param system, variants  must outlive the object
+  SensitiveIntegrator(std::unique_ptr<ode::Integrator> inner, SensitiveSystem& system, Variants& variants);
 
   std::string name() const override { return inner_->name(); }
   std::string method() const override { return inner_->method(); }
@@ -43,6 +43,7 @@ class SensitiveIntegrator final : public ode::Integrator {
 
  private:
   std::unique_ptr<ode::Integrator> inner_;
+  SensitiveSystem& system_;
   Variants& variants_;
   std::size_t n_;
   std::vector<double> whole_;  // before the first step, and at the last restart

@@ -8,7 +8,9 @@ SensitiveSystem::SensitiveSystem(Variants& variants)
     : variants_(variants),
       base_(variants.base()),
       n_blocks_(variants.n_values() + 1),
-      results_(variants.all().size(), std::vector<double>(base_.size())) {}
+      results_(variants.all().size(), std::vector<double>(base_.size())) {
+  set_scale(std::vector<double>(size(), 0.0));
+}
 
 void SensitiveSystem::differentiate(std::span<double> blocks, bool adds) const {
   for (std::size_t k = 0; k < variants_.n_values(); ++k) {
@@ -22,19 +24,29 @@ void SensitiveSystem::differentiate(std::span<double> blocks, bool adds) const {
 void SensitiveSystem::rate(double t, std::span<const double> y, std::span<double> rate) {
   variants_.for_each(
       y,
-      [&](Variant& variant, std::span<const double> own) { variant.system().rate(t, own, results_[Variants::index_of(variant)]); },
+      [&](Variant& variant, std::span<const double> own) {
+        variant.system().rate(t, own, results_[Variants::index_of(variant)]);
+      },
       [&] { base_.rate(t, block(y, 0), block(rate, 0)); });
   differentiate(rate, false);
 }
 
-std::span<const double> SensitiveSystem::scale() const {
+void SensitiveSystem::set_scale(std::span<const double> y) {
   constexpr double power = 4;  // of the norm
   const double share = std::pow(static_cast<double>(n_blocks_), -1 / power);
-  scale_.clear();
-  scale_.reserve(size());
-  for (std::size_t i = 0; i < n_blocks_; ++i)
-    for (const double value : base_.scale()) scale_.push_back(share * value);
-  return scale_;
+  const std::span<const double> of_run = base_.scale();
+  const auto size_of = [&](std::size_t i) {
+    const std::span<const double> values = block(y, i);
+    double largest = 1;
+    for (std::size_t j = 0; j < values.size(); ++j) largest = std::max(largest, std::abs(values[j]) / of_run[j]);
+    return largest;
+  };
+  scale_.resize(size());
+  const double of_state = size_of(0);
+  for (std::size_t i = 0; i < n_blocks_; ++i) {
+    const double factor = share * std::max(1.0, size_of(i) / of_state);
+    std::ranges::transform(of_run, block(std::span(scale_), i).begin(), [&](double value) { return factor * value; });
+  }
 }
 
 void SensitiveSystem::accept(double t, std::span<const double> y) {
@@ -46,6 +58,7 @@ void SensitiveSystem::accept(double t, std::span<const double> y) {
         jumped[Variants::index_of(variant)] = variant.system().rate_has_jumped() ? 1 : 0;
       },
       [&] { base_.accept(t, block(y, 0)); });
+  set_scale(y);
   rate_has_jumped_ = base_.rate_has_jumped() || std::ranges::find(jumped, 1) != jumped.end();
 }
 

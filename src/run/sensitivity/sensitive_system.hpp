@@ -23,8 +23,11 @@ class SensitiveSystem final : public ode::System,
   void rate(double t, std::span<const double> y, std::span<double> rate) override;
   double stable_step(double t, std::span<const double> y) override { return base_.stable_step(t, block(y, 0)); }
   double end_of_segment() const override { return base_.end_of_segment(); }
-  /// So that the norm over all blocks bounds that of each, and the run is as accurate as without derivatives.
-  std::span<const double> scale() const override;
+  /// That of the run for each block. Derivatives that are larger than the state, in units of it, have the same relative
+  /// accuracy. The norm over all blocks bounds that of each, so that the run is as accurate as without derivatives.
+  std::span<const double> scale() const override { return scale_; }
+  /// Sets scale() for a state that was not accepted: at the start, or where a run is resumed.
+  void set_scale(std::span<const double> y);
   void accept(double t, std::span<const double> y) override;
   bool rate_has_jumped() const override { return rate_has_jumped_; }
   void forget_evaluations() override;
@@ -56,7 +59,7 @@ class SensitiveSystem final : public ode::System,
   creep::CreepSystem& base_;
   std::size_t n_blocks_;
   std::vector<std::vector<double>> results_;  // of the variants
-  mutable std::vector<double> scale_;
+  std::vector<double> scale_;
   bool rate_has_jumped_ = false;
 };
 

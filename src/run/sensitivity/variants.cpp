@@ -60,9 +60,10 @@ Variants::Variants(const std::vector<ChangedValue>& values, creep::CreepSystem& 
       const bool more = v % 2 == 0;
       variants_[v] = std::make_unique<Variant>(more ? value.more : value.less, more ? 1 : -1, v / 2, kept, passes);
       if (variants_[v]->system().size() != base.size())
-        throw ConfigError(fmt::format("sensitivity.keys: the model has other unknowns with another '{}'; allowed: keys that "
-                                      "change neither mesh nor laws",
-                                      value.key));
+        throw ConfigError(
+            fmt::format("sensitivity.keys: the model has other unknowns with another '{}'; allowed: keys that "
+                        "change neither mesh nor laws",
+                        value.key));
     });
   passes_.run(jobs, most_at_once);
 }

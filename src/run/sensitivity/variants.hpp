@@ -24,8 +24,8 @@ class Variant {
   /// @param config, kept  must outlive the object @throws as build_model() and make_system()
   Variant(const config::Config& config, double sign, std::size_t value, Kept& kept, linalg::GatheredPasses& passes);
 
-  double sign() const { return sign_; }              ///< 1: more, -1: less
-  std::size_t value() const { return value_; }       ///< number of the changed value
+  double sign() const { return sign_; }         ///< 1: more, -1: less
+  std::size_t value() const { return value_; }  ///< number of the changed value
   creep::CreepSystem& system() { return system_; }
   std::span<const std::unique_ptr<results::Probe>> probes() const { return probes_; }
 
@@ -61,7 +61,8 @@ class Variants {
  public:
   /// @param base, kept  of the run; they and `values` must outlive the object
   /// @throws ModelError if a variant has other unknowns than the run
-  Variants(const std::vector<ChangedValue>& values, creep::CreepSystem& base, Kept& kept, linalg::GatheredPasses& passes);
+  Variants(const std::vector<ChangedValue>& values, creep::CreepSystem& base, Kept& kept,
+           linalg::GatheredPasses& passes);
 
   std::size_t n_values() const { return values_.size(); }
   const std::vector<ChangedValue>& values() const { return values_; }

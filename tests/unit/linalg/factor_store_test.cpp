@@ -137,8 +137,8 @@ TEST(FactorStore, AfterAFailureNothingIsFound) {
   EXPECT_NEAR(solved(*solver, sound).back(), size, 1e-9);
   EXPECT_FALSE(solver->found_factor());
   // A factory that fails leaves the store as it was.
-  const StiffnessSolverFactory broken =
-      store.lending(nullptr, [](const StiffnessToAnalyze&) -> std::unique_ptr<StiffnessSolver> { throw SolverError("full"); });
+  const StiffnessSolverFactory broken = store.lending(
+      nullptr, [](const StiffnessToAnalyze&) -> std::unique_ptr<StiffnessSolver> { throw SolverError("full"); });
   EXPECT_THROW(broken({chain(size - 1, 1), std::span(blocks.of).first(size - 1), {}}), SolverError);
 }
 

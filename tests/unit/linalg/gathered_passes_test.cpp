@@ -91,9 +91,7 @@ TEST_F(Gathering, AJobThatFailsDoesNotHoldUpTheOthers) {
                                             iterated(*mine, vector_of(start(0)), 2);
                                             throw std::runtime_error("the second");
                                           },
-                                          [&] {
-                                            result = iterated(*solver(problem_.lower), vector_of(start(1)), 9);
-                                          },
+                                          [&] { result = iterated(*solver(problem_.lower), vector_of(start(1)), 9); },
                                           [] { throw std::runtime_error("the third"); }};
   std::swap(jobs[0], jobs[1]);
   try {

@@ -153,9 +153,9 @@ struct Summary : RunCounters {
   /// Derivatives with respect to a number of the configuration.
   struct Sensitivity {
     std::string key;
-    double value = 0, change = 0;                 ///< the number, and a typical change of it
-    std::map<std::string, double> probes = {};    ///< of each at the last output
-    std::map<std::string, double> events = {};    ///< of the times of those that happened
+    double value = 0, change = 0;               ///< the number, and a typical change of it
+    std::map<std::string, double> probes = {};  ///< of each at the last output
+    std::map<std::string, double> events = {};  ///< of the times of those that happened
   };
 
   /// True if the values of the end are those of the last output, and the run went on from there or should have.
