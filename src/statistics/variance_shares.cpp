@@ -62,12 +62,16 @@ std::optional<VarianceShares> regression(const std::vector<std::vector<Polynomia
   VarianceShares shares{std::vector<double>(inputs, 0.0)};
   for (Eigen::Index i = 1; i < m; ++i) {
     const std::vector<std::size_t>& of = terms[static_cast<std::size_t>(i)].inputs;
-    const double share = coefficients[i] * coefficients[i] / variance;
+    const double share = coefficients[i] * coefficients[i];
     (of.front() == of.back() ? shares.first_order[of.front()] : shares.interactions) += share;
   }
   constexpr double least = 1e-12;  // a point that alone decides a coefficient is not predicted by the others
   const Eigen::ArrayXd left_out = residuals.array() / (1 - leverage.array()).max(least);
   shares.quality = 1 - left_out.square().mean() / variance;
+  // Of the true distribution of the inputs, not of the sample: the sum of squares, and what the polynomials leave.
+  const double whole = coefficients.tail(m - 1).squaredNorm() + left_out.square().mean();
+  for (double& share : shares.first_order) share /= whole;
+  shares.interactions /= whole;
   return shares;
 }
 
