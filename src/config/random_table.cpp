@@ -31,7 +31,7 @@ struct GivenKey {
   std::filesystem::path fit;
 };
 
-/// Which keys belong to a distribution, and which of them it can do without.
+/// The keys of a distribution, and those that it need not have.
 struct Demand {
   std::vector<std::string> required, optional = {};
 };
@@ -141,7 +141,7 @@ std::optional<statistics::Distribution> distribution_of(const GivenKey& given, c
   return table ? std::optional<statistics::Distribution>(*table) : std::nullopt;
 }
 
-/// Keys as they are in the file: one with `fit` stands for several.
+/// Keys as they are in the file: one with `fit` means several.
 struct KeysOfEntry {
   std::vector<RandomKey> keys;
   std::vector<RandomCorrelation> correlations;
@@ -150,7 +150,7 @@ struct KeysOfEntry {
 std::optional<KeysOfEntry> keys_of_fit(const GivenKey& given, const Item& item, Context& context) {
   for (const auto& [key, node] : *item.node->as_table()) {
     if (key == "key" || key == "fit") continue;
-    context.errors.add(item.child(key.str()).location, fmt::format("'{}' beside 'fit'", key.str()),
+    context.errors.add(item.child(key.str()).location, fmt::format("'{}' together with 'fit'", key.str()),
                        "'key' and 'fit': the distributions are in that file");
     return std::nullopt;
   }

@@ -29,7 +29,7 @@ std::string file_text(const std::filesystem::path& file);
 RunOutcome finished_outcome(const std::filesystem::path& directory);
 /// @param exit_status  of the program
 StudyRow ended_row(const std::filesystem::path& directory, int exit_status);
-/// Of a run whose program this one did not start: "failed" if its log says why, "not started" if nothing tells.
+/// The outcome of a run that another process started: "failed" if its log says why, "not started" if nothing tells.
 RunOutcome found_outcome(const std::filesystem::path& directory);
 
 }  // namespace creepcontact::study

@@ -18,7 +18,7 @@ std::string samples_csv(const config::Study& study, const std::vector<config::Pl
 std::vector<std::pair<std::string, std::string>> scatter_tables(const std::vector<config::PlannedRun>& runs,
                                                                 const Scatter& scatter);
 
-/// The same in words and small tables, with the heading "Scatter".
+/// A section with the heading "Scatter": the tables in words, and small ones.
 std::string scatter_markdown(const config::Study& study, const Scatter& scatter);
 
 /// Shares of the variance mean something if the polynomials predict the result at least so well.

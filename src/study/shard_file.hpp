@@ -18,7 +18,7 @@ struct KeptRun {
 
 std::uint64_t record_checksum(const std::string& record);
 
-/// By the index of the run in the plan.
+/// Keys are indices of runs in the plan.
 using ShardRuns = std::map<std::size_t, KeptRun>;
 
 /// Replaces the file at once. Cost: some microseconds per run. @throws Error if the disk cannot take it

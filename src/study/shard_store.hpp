@@ -23,7 +23,7 @@ class ShardStore {
   ShardRuns runs_;
 };
 
-/// Of a run, in that of the study.
+/// Removes the directory of a run, in that of the study.
 void remove_directory(const std::filesystem::path& directory);
 
 }  // namespace creepcontact::study

@@ -60,7 +60,7 @@ void claim_shard_count(const fs::path& study, int count) {
   const int found = shard_count(study).value_or(count);
   if (found == count) return;
   throw ConfigError(
-      fmt::format("this study is divided into {0} shards: --shard i/{0}, and not /{1}; to divide it anew, choose "
+      fmt::format("this study is divided into {0} shards: --shard i/{0}, and not /{1}; to divide it otherwise, choose "
                   "another directory with --output, or remove '{2}' (runs that have directories of their own are kept)",
                   found, count, (study / "shards").string()));
 }

@@ -77,7 +77,7 @@ std::set<std::string> names_in(const std::vector<StudyRow>& rows, std::map<std::
   return names;
 }
 
-/// What has a column beside the costs.
+/// What has a column, apart from the costs.
 struct Columns {
   Cells keys;
   std::set<std::string> criteria, events;

@@ -106,7 +106,7 @@ struct Study {
   /// The study without names, [plot], [results], random.quantiles, comments and layout: studies with equal texts have
   /// equal runs.
   std::string normalized;
-  /// The same without random.samples, unless other samples are drawn if there are more of them.
+  /// `normalized` without random.samples, unless other samples are drawn if there are more of them.
   std::string without_size;
 };
 
@@ -158,7 +158,7 @@ std::vector<std::string> overrides(const Study& study, const PlannedRun& run);
 std::vector<std::string> overrides(const Study& study, const std::vector<Setting>& own);
 
 /// Reads the base configuration with the settings of every run, and of the reference if it is a run; of more than a
-/// thousand runs those that have every value of every axis. Of random keys the ends of the distributions are read; a
+/// thousand runs those that have every value of every axis. Random keys are read at the ends of their distributions; a
 /// sample that is wrong nevertheless is a run that fails.
 /// @throws ConfigError with one line per error: those of settings with their location in the study, and unknown
 /// quantities (not probes of the configuration)

@@ -15,7 +15,7 @@ struct Series {
   std::string name;  ///< any text; shown literally
   std::vector<double> x, y;
   Style style = Style::line;
-  int look = -1;  ///< colour and marker, less than max_series; -1: by the position in the panel
+  int look = -1;                   ///< colour and marker, less than max_series; -1: by the position in the panel
   std::vector<double> upper = {};  ///< of a band, as many as y
 };
 

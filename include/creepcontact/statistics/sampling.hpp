@@ -1,5 +1,5 @@
 #pragma once
-/// Points in a hypercube, as standard normal scores. The same arguments give the same points on every machine.
+/// Points in a hypercube, as standard normal scores. Equal arguments give equal points on every machine.
 
 #include <array>
 #include <cstddef>
