@@ -127,7 +127,7 @@ void replace_fits(const Study& study, toml::table& document) {
 std::string what_is_run(toml::table document) {
   document.erase("title");
   document.erase("plot");
-  document.erase("results");
+  document.erase("keep");
   if (auto* random = document["random"].as_table()) random->erase("quantiles");
   if (auto* runs = document["runs"].as_array())
     for (toml::node& one : *runs)

@@ -109,14 +109,6 @@ Value<StudyPlot> plot_table() {
   });
 }
 
-Value<StudyResults> results_table() {
-  return table<StudyResults>({
-      field<StudyResults>("keep", &StudyResults::keep, choice<Keep>("word"),
-                          "a directory per run, or, of runs made by `--shard`, one HDF5 file per shard with their "
-                          "histories and summaries"),
-  });
-}
-
 Value<std::map<std::string, Function>> expressions() {
   using Map = std::map<std::string, Function>;
   Value<Map> value{.type = "a table with one function of t per probe", .read = {}};
@@ -180,7 +172,9 @@ Value<Study> study_table() {
       field<Study>("compare", &Study::compare, compare_table(), "what is compared, and how"),
       field<Study>("plot", &Study::plot, plot_table(), "what the pictures show"),
       field<Study>("random", &Study::random, random_table(), "keys that are distributed, and how they are sampled"),
-      field<Study>("results", &Study::results, results_table(), "what is kept of the runs"),
+      field<Study>("keep", &Study::keep, choice<Keep>("word"),
+                   "a directory per run, or, of runs made by `--shard`, one HDF5 file per shard with their histories "
+                   "and what their summaries say"),
   });
 }
 

@@ -136,7 +136,7 @@ StudyResult run_shard(const config::Study& study, const config::Vocabulary& voca
   if (reference) made_reference(execution, *reference, interrupt);
   ShardStore store(study, vocabulary, shard_file(directory, shard.number));
   std::vector<StudyRow> rows;
-  const bool is_one_file = study.results.keep == config::Keep::shard;
+  const bool is_one_file = study.keep == config::Keep::shard;
   std::erase_if(indices, [&](std::size_t run) {
     const KeptRun* const kept = store.find(run, all[run]);
     if (kept == nullptr || !kept->outcome.row.succeeded()) return false;

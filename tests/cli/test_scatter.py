@@ -2,10 +2,14 @@
 
 import csv
 import math
+import pathlib
+import re
 import statistics
 import unittest
 
 from study_case import BASE, StudyTest
+
+STUDIES = pathlib.Path(__file__).resolve().parents[2] / "studies"
 
 MODULUS, EXPONENT, MEDIAN, FACTOR = 200e3, 5, 3.125e-14, 2.0
 
@@ -101,6 +105,11 @@ class Scatter(StudyTest):
             self.assertEqual((self.output / f"{picture}.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual([row["samples"] for row in self.table("convergence.csv")], ["8", "16", "32", "64"])
 
+        done = self.call("report", str(self.output))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = (self.output / "report.html").read_text()
+        self.assertSays(page, "<h2>Scatter</h2>", "64 of 64 samples were computed", "fan_stress")
+
     def test_more_samples_keep_those_that_there_are(self):
         small = STUDY.replace("samples = 64", "samples = 4")
         self.assertEqual(self.study(small).returncode, 0)
@@ -154,6 +163,51 @@ class Scatter(StudyTest):
         self.expect_error(self.study(text), 2, "study.toml:8:7: random.keys[0].key: ", "materials.steel.creep[0].A",
                           "normal, mean 3.125e-14", "negative with a probability of 1.9 %", '"lognormal"', '"triangular"')
         self.assertFalse(self.output.exists())
+
+    def test_the_constants_of_a_fit(self):
+        scatter = (1.1, 0.95, 1.05, 0.9, 1.0)
+        rates = [f"{stress},{factor * MEDIAN * stress**EXPONENT}" for stress, factor in zip((80, 110, 140, 170, 200), scatter)]
+        self.write("rates.csv", "\n".join(["stress [MPa],creep_rate [1/h]", *rates]) + "\n")
+        done = self.call("fit", "rates.csv", "--law", "norton", "--output", "fitted.toml")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("fitted_scatter.toml", done.stdout)
+        found = (self.directory / "fitted_scatter.toml").read_text()
+        constants = dict(zip(("A", "n"), map(float, re.search(r"values = \[(.*)\]", found)[1].split(","))))
+        self.write("cube.toml", BASE.replace("A = 3.125e-14, n = 5", f"A = {constants['A']}, n = {constants['n']}"))
+        text = STUDY[:STUDY.index("key = ")].replace("samples = 64", "samples = 16")
+        text += 'key = "materials.steel.creep[0]"\nfit = "fitted_scatter.toml"\n'
+        done = self.study(text + COMPARE)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        samples = self.table("samples.csv")
+        keys = [f"materials.steel.creep[0].{key}" for key in ("A", "n")]
+        self.assertEqual(list(samples[0]), ["run", *keys])
+        # A larger exponent goes with a smaller factor.
+        by_factor = sorted(samples, key=lambda row: float(row[keys[0]]))
+        self.assertGreater(float(by_factor[0][keys[1]]), float(by_factor[-1][keys[1]]))
+        self.assertSays((self.output / "study.md").read_text(), "have the correlation -0.9", "The keys are correlated")
+        self.assertFalse((self.output / "sobol_indices.csv").exists())
+        self.write("cube.toml", BASE)
+        self.expect_error(self.study(text, "--output", "other"), 2, "study.toml:7:1: random.keys[0]: ", "the fit found",
+                          "cube.toml has 3.125e-14")
+
+
+class ScatterExamples(StudyTest):
+    """The studies of the examples still run, with two samples."""
+
+    def expect_runs(self, name, settings):
+        text = (STUDIES / name / "study.toml").read_text().replace("samples = 64", "samples = 2")
+        text = text.replace("../../configs", str(STUDIES.parent / "configs"))
+        done = self.study(text.replace("[set]\n", "[set]\n" + settings))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([row["status"] for row in self.rows()], ["completed"] * 2)
+        self.assertTrue((self.output / "quantiles.csv").exists())
+
+    def test_scatter_of_a_bolted_joint(self):
+        coarse = dict(n_around=2, n_hole=2, n_face=2, n_seat=2, n_bearing=1, n_thickness=2, n_shank=2)
+        self.expect_runs("bolt_scatter", "".join(f"mesh.parameters.{key} = {n}\n" for key, n in coarse.items()))
+
+    def test_tolerances_of_a_fit(self):
+        self.expect_runs("fit_tolerances", "")
 
 
 if __name__ == "__main__":

@@ -25,7 +25,7 @@ distribution = "uniform"
 min = 1e-9
 max = 2e-9
 """
-PER_SHARD = '[results]\nkeep = "shard"\n'
+PER_SHARD = 'keep = "shard"\n'
 # Runs that last until they are killed.
 SLOW = STUDY.replace("output.fields = false", 'output.fields = false, time.integrator = "explicit_euler", time.step = 1e-6')
 
@@ -64,7 +64,7 @@ class Shards(StudyTest):
 
     def test_one_file_per_shard_gives_the_same_tables(self):
         expected = self.whole()
-        self.write("study.toml", STUDY + PER_SHARD)
+        self.write("study.toml", PER_SHARD + STUDY)
         for number in (1, 2):
             self.assertEqual(self.shard(f"{number}/2").returncode, 0)
         self.assertEqual(list((self.output / "runs").iterdir()), [])

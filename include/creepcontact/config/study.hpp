@@ -84,11 +84,6 @@ constexpr auto names_of(Keep) {
   return std::to_array<settings::EnumName<Keep>>({{"runs", Keep::runs}, {"shard", Keep::shard}});
 }
 
-/// [results]
-struct StudyResults {
-  Keep keep = Keep::runs;
-};
-
 /// A study that has been read and checked.
 struct Study {
   std::filesystem::path file;  ///< as given by the user
@@ -102,8 +97,8 @@ struct Study {
   Compare compare;
   StudyPlot plot;
   std::optional<Random> random;
-  StudyResults results;
-  /// The study without names, [plot], [results], random.quantiles, comments and layout: studies with equal texts have
+  Keep keep = Keep::runs;
+  /// The study without names, [plot], keep, random.quantiles, comments and layout: studies with equal texts have
   /// equal runs.
   std::string normalized;
   /// `normalized` without random.samples, unless other samples are drawn if there are more of them.

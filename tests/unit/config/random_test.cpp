@@ -51,13 +51,13 @@ void expect_random_mistake(const std::string& text, std::initializer_list<std::s
 
 TEST(RandomReading, EveryKey) {
   const Study study = parse_study(
-      random_head("method = \"latin_hypercube\"\nseed = 5\nquantiles = [0.1, 0.9]\n") +
+      "keep = \"shard\"\n" + random_head("method = \"latin_hypercube\"\nseed = 5\nquantiles = [0.1, 0.9]\n") +
           random_key("a.A", "distribution = \"lognormal\"\nmedian = 2e-18\nfactor = 2") +
           random_key("a.n", "distribution = \"normal\"\nmean = 5\ndeviation = 0.1") +
           random_key("b", "distribution = \"triangular\"\nmin = 1\nmode = 2\nmax = 4") +
           random_key("c", "distribution = \"table\"\nvalues = [3, 1, 3]\nweights = [1, 2, 1]") +
           random_key("d", "distribution = \"table\"\nvalues = [1, 2]\ncumulative = [0, 1]") + uniform_key("e") +
-          "[[random.correlations]]\nkeys = [\"a.A\", \"a.n\"]\nvalue = -0.5\n[results]\nkeep = \"shard\"\n",
+          "[[random.correlations]]\nkeys = [\"a.A\", \"a.n\"]\nvalue = -0.5\n",
       "s/study.toml");
   ASSERT_TRUE(study.random);
   const Random& random = *study.random;
@@ -75,7 +75,7 @@ TEST(RandomReading, EveryKey) {
   EXPECT_EQ(measured.cumulative, (std::vector<double>{0.5, 1}));
   EXPECT_TRUE(std::get<statistics::Table>(random.keys[4].distribution).is_continuous);
   EXPECT_EQ(random.factor.size(), 36u);
-  EXPECT_EQ(study.results.keep, Keep::shard);
+  EXPECT_EQ(study.keep, Keep::shard);
 }
 
 TEST(RandomPlan, EveryCombinationHasTheSameSamples) {
