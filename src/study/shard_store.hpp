@@ -8,7 +8,7 @@ namespace creepcontact::study {
 
 class ShardStore {
  public:
-  /// Reads the file, if it exists; one that cannot be read is warned of, and its runs are made again.
+  /// Reads the file, if it exists; one that cannot be read gives a warning, and its runs are made again.
   ShardStore(const config::Study& study, const config::Vocabulary& vocabulary, std::filesystem::path file);
 
   /// nullptr: not there, or made with other settings, files or another version.
