@@ -45,6 +45,11 @@ void check_size(const Study& study, Diagnostics& errors) {
                     most));
     return;
   }
+  constexpr double most_values = 1e7;  // some hundred megabytes
+  const double keys = study.random ? static_cast<double>(study.random->keys.size()) : 0;
+  if (runs * keys > most_values)
+    errors.add(study.random->location, fmt::format("{:.6g} runs with {:.0f} random keys each", runs, keys),
+               fmt::format("at most {:.0f} values of random keys in all", most_values));
 }
 
 void check_plot(const Study& study, Diagnostics& errors) {

@@ -49,6 +49,7 @@ class Shards(StudyTest):
         """The quantiles of the study made in one go."""
         done = self.call("study", "study.toml", "--output", "whole")
         self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("12 of 12 runs succeeded", done.stdout, done.stderr)
         return self.quantiles(self.directory / "whole")
 
     def test_shards_are_gathered_to_the_same_tables(self):

@@ -122,6 +122,12 @@ TEST(RandomPlan, AHundredThousandRuns) {
                         {"s/study.toml:9:1: ", "4 ", "50000", "200000", "100000"});
 }
 
+TEST(RandomPlan, MemoryIsBounded) {
+  std::string text = "base = \"b\"\n[random]\nsamples = 100000\n";
+  for (int i = 0; i < 101; ++i) text += uniform_key("p" + std::to_string(i));
+  expect_random_mistake(text, {"s/study.toml:2:1: random: ", "100000 runs", "101 random keys", "10000000"});
+}
+
 TEST(RandomMistakes, AtTheirPlaces) {
   expect_random_mistake(random_head(), {"s/study.toml:2:1: random: ", "[[random.keys]]"});
   expect_random_mistake(random_head() + random_key("a", "distribution = \"normal\"\nmean = 5"),
