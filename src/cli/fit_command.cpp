@@ -77,7 +77,11 @@ int fit(const Command& self, const Arguments& arguments) {
           std::string::npos ||
       block.material.empty())
     throw ConfigError(fmt::format("--material: '{}'; allowed: letters, digits, '_' and '-'", block.material));
-  if (!output.empty()) require_writable(output);
+  if (!output.empty()) {
+    require_writable(output);
+    const std::filesystem::path file = output;
+    require_writable(file.parent_path() / (file.stem().string() + "_scatter.toml"));
+  }
 
   const fit::TestData data = fit::read_test_data(line.positional(), reading);
   for (const std::string& note : data.notes) log::warning("{}: {}", data.file, note);
@@ -97,6 +101,11 @@ int fit(const Command& self, const Arguments& arguments) {
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   platform::replace_file(file, text);
   std::cout << '\n' << file.string() << '\n';
+  const std::filesystem::path scatter = file.parent_path() / (file.stem().string() + "_scatter.toml");
+  if (const std::string known = fit::scatter_block(data, choice, result); !known.empty()) {
+    platform::replace_file(scatter, known);
+    std::cout << scatter.string() << '\n';
+  }
   const std::filesystem::path pictures = file.parent_path() / (file.stem().string() + "_plots");
   platform::make_inner_directory(pictures);
   for (std::filesystem::path picture : fit::draw_fit(data, result, reading.young_modulus, pictures)) {

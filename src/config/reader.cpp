@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <sstream>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/config/random.hpp"
 #include "creepcontact/config/writer.hpp"
 #include "cross_checks.hpp"
+#include "key_content.hpp"
 #include "library_use.hpp"
 #include "overrides.hpp"
 #include "section_checks.hpp"
@@ -48,19 +52,46 @@ bool is_heat_alone(const toml::table& document) {
   });
 }
 
-}  // namespace
-
-Config parse(const std::string& text, const std::filesystem::path& file, const Vocabulary& vocabulary,
-             const std::vector<std::string>& overrides) {
+/// The document with what the library gives, which is a part of it, and with the overrides, which may change both.
+toml::table document_of(const std::string& text, const std::filesystem::path& file, const Vocabulary& vocabulary,
+                        const std::vector<std::string>& overrides, Context& context) {
   toml::table document = parse_toml(text, file, [&] { return schema(vocabulary); });
   require_no_study(document, file);
-  Context context{.directory = file.parent_path(), .errors = {}};
-  // What the library gives is a part of the document, which overrides may change.
   for (const std::string& one : overrides)
     if (selects_library_data(one)) apply_override(one, document, context.errors);
   insert_library_data(document, file.string(), vocabulary, context);
   for (const std::string& one : overrides)
     if (!selects_library_data(one)) apply_override(one, document, context.errors);
+  return document;
+}
+
+KeyContent content_at(const toml::table& document, const std::string& key) {
+  const toml::node* found = &document;
+  std::istringstream parts(with_dots(key));
+  for (std::string part; std::getline(parts, part, '.');) {
+    std::erase(part, '"');
+    if (const toml::table* table = found->as_table()) {
+      found = table->get(part);
+    } else if (const toml::array* list = found->as_array()) {
+      std::size_t index = list->size();
+      std::from_chars(part.data(), part.data() + part.size(), index);
+      found = list->get(index);
+    } else {
+      found = nullptr;
+    }
+    if (found == nullptr) return {};
+  }
+  if (const auto number = found->is_number() ? found->value<double>() : std::nullopt)
+    return {KeyContent::Kind::number, *number, describe(*found)};
+  return {KeyContent::Kind::other, 0, describe(*found)};
+}
+
+}  // namespace
+
+Config parse(const std::string& text, const std::filesystem::path& file, const Vocabulary& vocabulary,
+             const std::vector<std::string>& overrides) {
+  Context context{.directory = file.parent_path(), .errors = {}};
+  toml::table document = document_of(text, file, vocabulary, overrides, context);
   context.end = document["time"]["end"].value<double>().value_or(0.0);
   context.is_heat_alone = is_heat_alone(document);
   const Item root{&document, {.file = file.string(), .line = 1, .column = 1}};
@@ -76,6 +107,16 @@ Config parse(const std::string& text, const std::filesystem::path& file, const V
 Config read(const std::filesystem::path& file, const Vocabulary& vocabulary,
             const std::vector<std::string>& overrides) {
   return parse(read_text(file), file, vocabulary, overrides);
+}
+
+std::vector<KeyContent> contents_of(const std::filesystem::path& file, const Vocabulary& vocabulary,
+                                    const std::vector<std::string>& overrides, const std::vector<std::string>& keys) {
+  Context context{.directory = file.parent_path(), .errors = {}};
+  const toml::table document = document_of(read_text(file), file, vocabulary, overrides, context);
+  context.errors.throw_if_any();
+  std::vector<KeyContent> contents;
+  for (const std::string& key : keys) contents.push_back(content_at(document, key));
+  return contents;
 }
 
 }  // namespace creepcontact::config

@@ -46,6 +46,7 @@ std::vector<Product> products(const Study& study) {
   std::vector<Product> all;
   if (!study.axes.empty()) all.push_back({"", {}, study.axes, study.axes.front().location});
   all.insert(all.end(), study.runs.begin(), study.runs.end());
+  if (all.empty() && study.random) all.push_back({"", {}, {}, study.random->location});
   return all;
 }
 

@@ -10,6 +10,7 @@
 #include "diagnostics.hpp"
 #include "item.hpp"
 #include "known_words.hpp"
+#include "random_checks.hpp"
 #include "toml_document.hpp"
 
 namespace creepcontact::config {
@@ -80,6 +81,32 @@ class RunMistakes {
   std::set<std::string> seen_;
 };
 
+std::vector<std::vector<double>> sampled_values(const Random& random) {
+  const std::vector<double> scores = scores_of(random);
+  std::vector<std::vector<double>> all(random.n_samples());
+  auto score = scores.begin();
+  for (std::vector<double>& sample : all)
+    for (const RandomKey& key : random.keys) sample.push_back(sampled_value(key, *score++));
+  return all;
+}
+
+/// One run per combination of the axes; of very many combinations those in which one axis alone leaves its first value,
+/// so that every value is among them, and some of the others.
+std::vector<const PlannedRun*> runs_to_check(const std::vector<PlannedRun>& runs) {
+  constexpr std::size_t most = 1000;
+  std::vector<const PlannedRun*> combinations, chosen;
+  for (const PlannedRun& run : runs)
+    if (run.sample == 0) combinations.push_back(&run);
+  if (combinations.size() <= most) return combinations;
+  const std::size_t every = combinations.size() / most + 1;
+  for (std::size_t i = 0; i < combinations.size(); ++i) {
+    const std::vector<int>& point = combinations[i]->point;
+    const bool is_of_one_axis = std::ranges::count_if(point, [](int value) { return value > 0; }) <= 1;
+    if (is_of_one_axis || i % every == 0) chosen.push_back(combinations[i]);
+  }
+  return chosen;
+}
+
 }  // namespace
 
 double n_runs(const Product& product) {
@@ -92,16 +119,35 @@ double n_runs(const Product& product) {
 std::vector<PlannedRun> plan(const Study& study) {
   std::vector<PlannedRun> runs;
   const std::vector<Product> all = products(study);
+  const std::size_t samples = study.random ? study.random->n_samples() : 1;
+  const std::vector<std::vector<double>> sampled =
+      study.random ? sampled_values(*study.random) : std::vector<std::vector<double>>(1);
+  std::size_t combination = 0;
   for (std::size_t p = 0; p < all.size(); ++p)
     for (const std::vector<int>& point : points(all[p].axes)) {
-      PlannedRun& run = runs.emplace_back(PlannedRun{"", all[p].settings, p, point});
+      std::vector<Setting> settings = all[p].settings;
       for (std::size_t a = 0; a < point.size(); ++a) {
         const Axis& axis = all[p].axes[a];
-        run.settings.push_back({axis.key.name, axis.key.location, axis.values[point[a]]});
+        settings.push_back({axis.key.name, axis.key.location, axis.values[point[a]]});
       }
+      for (std::size_t s = 0; s < samples; ++s)
+        runs.push_back(PlannedRun{"", settings, p, point, s, combination, sampled[s]});
+      ++combination;
     }
   for (std::size_t i = 0; i < runs.size(); ++i) runs[i].name = fmt::format("run_{:03}", i + 1);
   return runs;
+}
+
+std::optional<PlannedRun> reference_run(const Study& study) {
+  if (!study.reference || !study.reference->is_run()) return std::nullopt;
+  return PlannedRun{"reference", study.reference->settings, 0, {}};
+}
+
+std::vector<Setting> settings_of(const Study& study, const PlannedRun& run) {
+  std::vector<Setting> settings = run.settings;
+  for (std::size_t k = 0; k < run.sampled.size(); ++k)
+    settings.push_back(sampled_setting(study.random->keys[k], run.sampled[k]));
+  return settings;
 }
 
 std::vector<std::string> overrides(const Study& study, const std::vector<Setting>& own) {
@@ -109,6 +155,10 @@ std::vector<std::string> overrides(const Study& study, const std::vector<Setting
   for (const Setting& setting : study.settings) all.push_back(setting.override_text());
   for (const Setting& setting : own) all.push_back(setting.override_text());
   return all;
+}
+
+std::vector<std::string> overrides(const Study& study, const PlannedRun& run) {
+  return overrides(study, settings_of(study, run));
 }
 
 void check_runs(const Study& study, const std::vector<PlannedRun>& runs, const Vocabulary& vocabulary) {
@@ -140,8 +190,17 @@ void check_runs(const Study& study, const std::vector<PlannedRun>& runs, const V
   };
   if (study.reference && study.reference->is_run()) check(study.reference->settings, study.reference->location);
   const std::vector<Product> all = products(study);
-  for (const PlannedRun& run : runs) check(run.settings, all[run.product].location);
+  for (const PlannedRun* run : runs_to_check(runs)) check(run->settings, all[run->product].location);
+  if (study.random && errors.empty()) check_random_keys(study, runs.front().settings, vocabulary, errors);
   errors.throw_if_any();
+}
+
+std::vector<Reference> compared_probes(const Study& study, const Vocabulary& vocabulary) {
+  if (!study.compare.quantities.empty() || !study.random) return study.compare.quantities;
+  std::vector<Reference> probes;
+  for (const Probe& probe : read(study.base, vocabulary, overrides(study, std::vector<Setting>())).probes)
+    probes.push_back({probe.name, {}});
+  return probes;
 }
 
 }  // namespace creepcontact::config

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "random_table.hpp"
 #include "table.hpp"
 #include "toml_text.hpp"
 
@@ -170,6 +171,10 @@ Value<Study> study_table() {
                    "what the runs are compared with; `[compare]` says which probes"),
       field<Study>("compare", &Study::compare, compare_table(), "what is compared, and how"),
       field<Study>("plot", &Study::plot, plot_table(), "what the pictures show"),
+      field<Study>("random", &Study::random, random_table(), "keys that are distributed, and how they are sampled"),
+      field<Study>("keep", &Study::keep, choice<Keep>("word"),
+                   "a directory per run, or, of runs made by `--shard`, one HDF5 file per shard with their histories "
+                   "and what their summaries say"),
   });
 }
 

@@ -154,4 +154,31 @@ std::string material_block(const TestData& data, const LawChoice& choice, const 
   return text;
 }
 
+std::string scatter_block(const TestData& data, const LawChoice& choice, const FitResult& result) {
+  std::vector<std::string> keys, values, logarithmic, deviations, rows;
+  std::vector<Eigen::Index> known;
+  for (std::size_t i = 0; i < result.parameters.size(); ++i)
+    if (const FittedParameter& parameter = result.parameters[i]; !parameter.at_bound && parameter.deviation > 0) {
+      known.push_back(static_cast<Eigen::Index>(i));
+      keys.push_back(toml_string(parameter.key));
+      values.push_back(fmt::format("{:.8g}", parameter.value));  // as in the block
+      logarithmic.emplace_back(parameter.is_logarithmic ? "true" : "false");
+      deviations.push_back(fmt::format("{}", parameter.deviation));
+    }
+  if (known.empty()) return "";
+  for (const Eigen::Index i : known) {
+    std::vector<std::string> row;
+    for (const Eigen::Index j : known) row.push_back(i == j ? "1.0" : fmt::format("{}", result.correlation(i, j)));
+    rows.push_back(fmt::format("  [{}]", fmt::join(row, ", ")));
+  }
+  return fmt::format(
+      "{} to {}: {}.\n# How well the readings determine the constants, for `fit` in a study's [[random.keys]]. Units: "
+      "{}.\nlaw = {}\nkeys = [{}]\nvalues = [{}]\n# Standard deviations, of the logarithm where `logarithmic` says "
+      "so.\n"
+      "logarithmic = [{}]\ndeviations = [{}]\ncorrelation = [\n{}\n]\n",
+      block_heading, one_line(data.file), basis(data, result), units_line(data.units), toml_string(choice.info->name),
+      fmt::join(keys, ", "), fmt::join(values, ", "), fmt::join(logarithmic, ", "), fmt::join(deviations, ", "),
+      fmt::join(rows, ",\n"));
+}
+
 }  // namespace creepcontact::fit

@@ -194,7 +194,9 @@ void add_uncertainty(const TestData& data, const ParameterSpace& space, const Le
                               .value = values[i],
                               .low = space.is_logarithmic(k) ? values[i] * std::exp(-half) : values[i] - half,
                               .high = space.is_logarithmic(k) ? values[i] * std::exp(half) : values[i] + half,
-                              .at_bound = std::ranges::find(inner, i) == inner.end()};
+                              .at_bound = std::ranges::find(inner, i) == inner.end(),
+                              .is_logarithmic = space.is_logarithmic(k),
+                              .deviation = std::sqrt(covariances(i, i))};
     warn_of_width(parameter, space.is_logarithmic(k), result);
     result.parameters.push_back(std::move(parameter));
     for (Eigen::Index j = 0; j < n; ++j)

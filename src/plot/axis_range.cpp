@@ -17,9 +17,11 @@ void extend(Range& range, const Panel& panel, const Axis& x_axis, Pick pick) {
   for (const Series& series : panel.series)
     for (std::size_t i = 0; i < series.x.size(); ++i) {
       if (!is_drawn(series.x[i], series.y[i], x_axis, panel.y)) continue;
-      const double value = pick(series.x[i], series.y[i]);
-      range.from = std::min(range.from, value);
-      range.to = std::max(range.to, value);
+      for (const double y : {series.y[i], series.upper.empty() ? series.y[i] : series.upper[i]}) {
+        const double value = pick(series.x[i], y);
+        range.from = std::min(range.from, value);
+        range.to = std::max(range.to, value);
+      }
     }
 }
 

@@ -64,6 +64,10 @@ bool has_points(const Series& series, const Axis& x, const Axis& y) {
   return false;
 }
 
+bool is_band(const Series& series) {
+  return series.style == Series::Style::band || series.style == Series::Style::dark_band;
+}
+
 std::string style(const Series& series, std::size_t k) {
   const Look& look = looks[series.look < 0 ? k : static_cast<std::size_t>(series.look)];
   const std::string point = fmt::format("linecolor rgb '{}' pointtype {}", look.color, look.marker);
@@ -72,6 +76,9 @@ std::string style(const Series& series, std::size_t k) {
     return fmt::format("with fsteps linewidth 2 dashtype {} linecolor rgb '{}'", look.dashes, look.color);
   if (series.style == Series::Style::bare_line)
     return fmt::format("with lines linewidth 2 dashtype {} linecolor rgb '{}'", look.dashes, look.color);
+  if (is_band(series))
+    return fmt::format("with filledcurves fillcolor rgb '{}' fillstyle transparent solid {} noborder", look.color,
+                       series.style == Series::Style::band ? 0.2 : 0.4);
   const std::size_t every = std::max<std::size_t>(1, series.x.size() / markers_a_line);
   return fmt::format("with linespoints linewidth 2 dashtype {} {} pointsize 0.8 pointinterval {}", look.dashes, point,
                      every);
@@ -199,7 +206,8 @@ std::string gnuplot_script(const Figure& figure, const std::string& stem) {
     for (std::size_t k = 0; k < panel.series.size(); ++k, ++block)
       text += fmt::format(", \\\n     {} {} title {}",
                           has_points(panel.series[k], figure.x, panel.y)
-                              ? fmt::format("'{}.dat' index {} using {}:2", stem, block, x_column)
+                              ? fmt::format("'{}.dat' index {} using {}:2{}", stem, block, x_column,
+                                            is_band(panel.series[k]) ? ":3" : "")
                               : "NaN",
                           style(panel.series[k], k), gnuplot_quoted(shortened(panel.series[k].name, longest_name)));
     text += "\n";
@@ -215,7 +223,8 @@ std::string gnuplot_data(const Figure& figure) {
       text += fmt::format("# {}\n", gnuplot_quoted(series.name));
       for (std::size_t i = 0; i < series.x.size(); ++i)
         if (is_drawn(series.x[i], series.y[i], {}, {}))
-          fmt::format_to(std::back_inserter(text), "{} {}\n", series.x[i], series.y[i]);
+          fmt::format_to(std::back_inserter(text), "{} {}{}\n", series.x[i], series.y[i],
+                         is_band(series) ? fmt::format(" {}", series.upper[i]) : "");
       text += "# end\n\n\n";
     }
   return text;

@@ -22,6 +22,7 @@
 #include "run_data.hpp"
 #include "run_labels.hpp"
 #include "run_sections.hpp"
+#include "scatter_section.hpp"
 #include "sensitivity_section.hpp"
 #include "title_block.hpp"
 
@@ -74,7 +75,8 @@ void add_links(const char* name, const char* style, const std::vector<Part>& par
 /// The first runs of a study, as many as a reader can compare and memory holds; of any other directory itself. Links to
 /// elsewhere are not followed.
 std::vector<std::filesystem::path> runs_in(const std::filesystem::path& directory, std::vector<std::string>& notes) {
-  constexpr std::size_t most = 24;
+  // Samples differ by chance: a few of them show what a run is like.
+  const std::size_t most = has_scatter(directory) ? 4 : 24;
   if (!path_exists(directory) || !path_is_directory(directory) || !path_exists(directory / "study.csv"))
     return {directory};
   std::vector<std::filesystem::path> runs;
@@ -232,6 +234,8 @@ WrittenReport write_report(const std::vector<std::filesystem::path>& given, cons
   Drawings drawings;
   Html body;
   Parts parts(body);
+  if (given.size() == 1 && has_scatter(given.front()))
+    parts.add("scatter", "Scatter", [&] { add_scatter(given.front(), body); });
   if (is_alone)
     add_one(runs.front(), script, drawings, body, parts);
   else

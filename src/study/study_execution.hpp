@@ -9,6 +9,7 @@
 #include "creepcontact/config/study.hpp"
 #include "creepcontact/config/vocabulary.hpp"
 #include "creepcontact/platform/interrupt.hpp"
+#include "run_records.hpp"
 #include "study_progress.hpp"
 #include "study_results.hpp"
 
@@ -23,7 +24,7 @@ class StudyExecution {
                  const std::filesystem::path& directory, int jobs, int cores, bool trust_geometry,
                  const platform::Interrupt& interrupt, StudyProgress& progress)
       : study_(study),
-        vocabulary_(vocabulary),
+        records_(study, vocabulary),
         program_(program),
         directory_(directory),
         jobs_(static_cast<std::size_t>(jobs)),
@@ -38,10 +39,8 @@ class StudyExecution {
   std::filesystem::path directory_of(const config::PlannedRun& run) const { return directory_ / "runs" / run.name; }
 
  private:
-  std::string record_of(const config::PlannedRun& run) const;
-
   const config::Study& study_;
-  const config::Vocabulary& vocabulary_;
+  RunRecords records_;
   const std::filesystem::path& program_;
   const std::filesystem::path& directory_;
   std::size_t jobs_;

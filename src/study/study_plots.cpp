@@ -27,10 +27,6 @@ std::string described(const std::string& column) {
 
 constexpr std::size_t max_overlaid = 4 * plot::max_series;  // runs: beyond, nobody reads the legends
 
-std::string title_of(const config::Study& study) {
-  return study.title.empty() ? study.file.stem().string() : study.title;
-}
-
 /// The histories of the runs that have one.
 std::vector<fs::path> overlay(const config::Study& study, const std::vector<config::PlannedRun>& runs,
                               const fs::path& directory, const std::string& title, const plot::PlotOptions& options) {
@@ -125,6 +121,10 @@ class Pictures {
 };
 
 }  // namespace
+
+std::string title_of(const config::Study& study) {
+  return study.title.empty() ? study.file.stem().string() : study.title;
+}
 
 std::vector<std::filesystem::path> plot_study(const config::Study& study, const std::vector<config::PlannedRun>& runs,
                                               const std::vector<StudyRow>& rows,

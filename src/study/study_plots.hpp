@@ -8,6 +8,9 @@
 
 namespace creepcontact::study {
 
+/// The title, or the name of the file.
+std::string title_of(const config::Study& study);
+
 /// If the study compares probes: `history_<probe>`, the histories of all runs; without a reference also
 /// `<probe>_end_over_<key>`. Files `<column>_over_<column>` (.svg, .png, .gp, .dat) by the columns of study.csv, one
 /// for each key that curves run along. A curve has the same colour and marker in all of them, if there are no more

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -14,7 +15,10 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-/// Keys that head columns: those of the axes, then the others that some runs set.
+// Rows in study.md: beyond, nobody reads them.
+constexpr std::size_t most_rows = 1000, most_sampled_rows = 20;
+
+/// Keys that head columns: those of the axes, then the others that some runs set, then the random ones.
 Cells keys(const config::Study& study) {
   Cells all;
   const auto add = [&](const std::string& key) {
@@ -24,10 +28,14 @@ Cells keys(const config::Study& study) {
     for (const config::Setting& setting : product.settings) add(setting.key);
     for (const config::Axis& axis : product.axes) add(axis.key.name);
   }
+  if (study.random)
+    for (const config::RandomKey& key : study.random->keys) add(key.key.name);
   return all;
 }
 
-std::string value_of(const config::PlannedRun& run, const std::string& key) {
+std::string value_of(const config::Study& study, const config::PlannedRun& run, const std::string& key) {
+  for (std::size_t k = 0; k < run.sampled.size(); ++k)
+    if (study.random->keys[k].key.name == key) return fmt::format("{}", run.sampled[k]);
   std::string value;  // of the last setting, as overrides do
   for (const config::Setting& setting : run.settings)
     if (setting.key == key) value = setting.value.label;
@@ -69,43 +77,57 @@ std::set<std::string> names_in(const std::vector<StudyRow>& rows, std::map<std::
   return names;
 }
 
-Cells head(const config::Study& study, const std::vector<StudyRow>& rows) {
-  Cells cells = keys(study);
+/// What has a column, apart from the costs.
+struct Columns {
+  Cells keys;
+  std::set<std::string> criteria, events;
+  Columns(const config::Study& study, const std::vector<StudyRow>& rows)
+      : keys(study::keys(study)),
+        criteria(names_in(rows, &StudyRow::criteria)),
+        events(names_in(rows, &StudyRow::events)) {}
+};
+
+Cells head(const config::Study& study, const Columns& columns) {
+  Cells cells = columns.keys;
   if (study.reference)
     for (const config::Reference& quantity : study.compare.quantities) cells.push_back("error_" + quantity.name);
   for (const config::Reference& quantity : study.compare.quantities)
     for (const char* const part : {"start", "end", "min", "max"})
       cells.push_back(fmt::format("{}_{}", quantity.name, part));
-  for (const std::string& name : names_in(rows, &StudyRow::criteria)) cells.push_back("criterion_" + name);
-  for (const std::string& name : names_in(rows, &StudyRow::events)) cells.push_back("event_" + name);
+  for (const std::string& name : columns.criteria) cells.push_back("criterion_" + name);
+  for (const std::string& name : columns.events) cells.push_back("event_" + name);
   cells.insert(cells.end(), {"status", "message"});
   for (const std::string& name : config::study_counts()) cells.push_back(name);
   return cells;
 }
 
 /// Cells under head(). @param digits  significant ones of errors and seconds, two less than those of probes; 0: all
-Cells body(const config::Study& study, const config::PlannedRun& run, const StudyRow& row,
-           const std::vector<StudyRow>& rows, int digits) {
+Cells body(const config::Study& study, const config::PlannedRun& run, const StudyRow& row, const Columns& columns,
+           int digits) {
   const auto with_digits = [&](double value, int more) {
     if (!std::isfinite(value)) return std::string();
     return digits > 0 ? fmt::format("{:.{}g}", value, digits + more) : fmt::format("{}", value);
   };
   const auto number = [&](double value) { return with_digits(value, 0); };
   Cells cells;
-  for (const std::string& key : keys(study)) cells.push_back(value_of(run, key));
-  for (const double error : row.errors) cells.push_back(number(error));
+  for (const std::string& key : columns.keys) cells.push_back(value_of(study, run, key));
+  for (std::size_t q = 0; study.reference && q < study.compare.quantities.size(); ++q)
+    cells.push_back(q < row.errors.size() ? number(row.errors[q]) : std::string());
   for (std::size_t q = 0; q < study.compare.quantities.size(); ++q) {
     const ProbeCourse course = q < row.courses.size() ? row.courses[q] : ProbeCourse{};
     for (const double value : {course.start, course.end, course.min, course.max})
       cells.push_back(with_digits(value, 2));
   }
-  for (const auto of : {&StudyRow::criteria, &StudyRow::events})
-    for (const std::string& name : names_in(rows, of)) {
-      const auto found = (row.*of).find(name);
-      const bool is_known = found != (row.*of).end();
+  const auto add = [&](const std::map<std::string, double>& values, const std::set<std::string>& names) {
+    for (const std::string& name : names) {
+      const auto found = values.find(name);
+      const bool is_known = found != values.end();
       cells.push_back(is_known && std::isinf(found->second) ? "inf"
                                                             : number(is_known ? found->second : ProbeCourse::unknown));
     }
+  };
+  add(row.criteria, columns.criteria);
+  add(row.events, columns.events);
   cells.push_back(row.status);
   cells.push_back(one_line(row.message));
   for (const std::string& name : config::study_counts()) {
@@ -159,21 +181,28 @@ std::string orders_text(const config::Study& study, const std::vector<StudySerie
 
 std::string study_csv(const config::Study& study, const std::vector<config::PlannedRun>& runs,
                       const std::vector<StudyRow>& rows) {
-  std::string text = csv_line(head(study, rows));
-  for (std::size_t r = 0; r < runs.size(); ++r) text += csv_line(body(study, runs[r], rows[r], rows, 0));
+  const Columns columns(study, rows);
+  std::string text = csv_line(head(study, columns));
+  for (std::size_t r = 0; r < runs.size(); ++r) text += csv_line(body(study, runs[r], rows[r], columns, 0));
   return text;
 }
 
 std::string study_markdown(const config::Study& study, const std::vector<config::PlannedRun>& runs,
                            const std::vector<StudyRow>& rows, const std::optional<StudyRow>& reference,
-                           const std::vector<std::filesystem::path>& pictures) {
+                           const std::string& scatter, const std::vector<std::filesystem::path>& pictures) {
   constexpr int digits = 3;
-  const Cells columns = head(study, rows);
-  std::string text = fmt::format("# {}\n\n{}", study.title.empty() ? study.file.stem().string() : study.title,
-                                 reference_text(study, reference));
-  text += markdown_line(columns) + rule(columns.size());
-  for (std::size_t r = 0; r < runs.size(); ++r) text += markdown_line(body(study, runs[r], rows[r], rows, digits));
-  text += orders_text(study, series(study, runs), rows);
+  const std::size_t shown = study.random ? most_sampled_rows : most_rows;
+  const Columns columns(study, rows);
+  const Cells heads = head(study, columns);
+  std::string text = fmt::format("# {}\n\n{}{}", study.title.empty() ? study.file.stem().string() : study.title,
+                                 reference_text(study, reference), scatter);
+  if (!scatter.empty()) text += "## Runs\n\n";
+  if (runs.size() > shown)
+    text += fmt::format("The first {} of {} runs; `study.csv` has a row for each.\n\n", shown, runs.size());
+  text += markdown_line(heads) + rule(heads.size());
+  for (std::size_t r = 0; r < std::min(shown, runs.size()); ++r)
+    text += markdown_line(body(study, runs[r], rows[r], columns, digits));
+  if (!study.random) text += orders_text(study, series(study, runs), rows);
   if (!pictures.empty()) text += "\n## Pictures\n";
   for (const std::filesystem::path& picture : pictures)
     text += fmt::format("\n![{}]({})\n", picture.stem().string(), picture.filename().string());

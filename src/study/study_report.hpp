@@ -16,10 +16,11 @@ namespace creepcontact::study {
 std::string study_csv(const config::Study& study, const std::vector<config::PlannedRun>& runs,
                       const std::vector<StudyRow>& rows);
 
-/// Title, reference, the same table, the observed orders along the curves, and the pictures.
-/// @param reference  if it is a run
+/// Title, reference, scatter, the same table (its first rows if there are very many), the observed orders along the
+/// curves, and the pictures.
+/// @param reference  if it is a run @param scatter  scatter_markdown(); empty: no random keys
 std::string study_markdown(const config::Study& study, const std::vector<config::PlannedRun>& runs,
                            const std::vector<StudyRow>& rows, const std::optional<StudyRow>& reference,
-                           const std::vector<std::filesystem::path>& pictures);
+                           const std::string& scatter, const std::vector<std::filesystem::path>& pictures);
 
 }  // namespace creepcontact::study

@@ -32,7 +32,8 @@ struct StudyRow : RunCounters {
   std::map<std::string, double> criteria = {};  ///< utilisation by name; NaN: not judged
   std::map<std::string, double> events = {};    ///< time by name; NaN: did not happen
   double wall_seconds = 0;
-  bool counted = false;  ///< whether the run left a summary, and so the numbers above
+  double end_time = ProbeCourse::unknown;  ///< that the run reached
+  bool counted = false;                    ///< whether the run left a summary, and so the numbers above
   bool succeeded() const { return status == "completed" || status == "ruptured"; }
   /// @param column  of config::study_counts(). @returns NaN if the run left no summary
   double count(const std::string& column) const;

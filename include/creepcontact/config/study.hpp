@@ -9,6 +9,7 @@
 
 #include "creepcontact/base/function.hpp"
 #include "creepcontact/config/location.hpp"
+#include "creepcontact/config/random.hpp"
 #include "creepcontact/config/vocabulary.hpp"
 #include "creepcontact/settings/enum_names.hpp"
 
@@ -77,6 +78,12 @@ struct StudyPlot {
   bool histories = true;          ///< of the compared probes, of all runs in one picture
 };
 
+/// What is kept of each run.
+enum class Keep { runs, shard };
+constexpr auto names_of(Keep) {
+  return std::to_array<settings::EnumName<Keep>>({{"runs", Keep::runs}, {"shard", Keep::shard}});
+}
+
 /// A study that has been read and checked.
 struct Study {
   std::filesystem::path file;  ///< as given by the user
@@ -89,16 +96,24 @@ struct Study {
   std::optional<StudyReference> reference;
   Compare compare;
   StudyPlot plot;
-  /// The study without names, [plot], comments and layout: studies with equal texts have equal runs.
+  std::optional<Random> random;
+  Keep keep = Keep::runs;
+  /// The study without names, [plot], keep, random.quantiles, comments and layout: studies with equal texts have
+  /// equal runs.
   std::string normalized;
+  /// `normalized` without random.samples, unless other samples are drawn if there are more of them.
+  std::string without_size;
 };
 
 /// One run of a study.
 struct PlannedRun {
-  std::string name;               ///< "run_001", in the order of the study
-  std::vector<Setting> settings;  ///< its own, without those of all runs
-  std::size_t product = 0;        ///< index into products()
-  std::vector<int> point;         ///< index of the value on each axis of its product
+  std::string name;                  ///< "run_001", in the order of the study
+  std::vector<Setting> settings;     ///< its own, without those of all runs and of its sample
+  std::size_t product = 0;           ///< index into products()
+  std::vector<int> point;            ///< index of the value on each axis of its product
+  std::size_t sample = 0;            ///< number of its sample, from 0
+  std::size_t combination = 0;       ///< of a product and a point; each has all samples
+  std::vector<double> sampled = {};  ///< values of the random keys
 };
 
 /// @throws ConfigError with one line per error found, as config::read
@@ -106,7 +121,7 @@ Study read_study(const std::filesystem::path& file);
 /// Like read_study(), from text. @param file  name for messages; relative paths are relative to its directory
 Study parse_study(const std::string& text, const std::filesystem::path& file);
 
-/// The product of the axes of the study, if it has axes, then those of [[runs]].
+/// The product of the axes of the study, if it has axes, then those of [[runs]]; if it has neither, one of the base.
 std::vector<Product> products(const Study& study);
 
 /// The axis along which the results of a product are plotted: the first of [plot] over that the product has; else
@@ -123,15 +138,28 @@ bool run_together(const Axis& a, const Axis& b);
 /// Number of runs of a product, as double since it may exceed what can be planned.
 double n_runs(const Product& product);
 
-/// All runs, product by product; the last axis of each varies fastest.
+/// All runs, product by product; the last axis of each varies fastest, and before it the samples.
 std::vector<PlannedRun> plan(const Study& study);
+
+/// The run with which the others are compared, if the reference is a run.
+std::optional<PlannedRun> reference_run(const Study& study);
+
+/// The settings of a run alone, with those of its sample.
+std::vector<Setting> settings_of(const Study& study, const PlannedRun& run);
+/// The overrides that turn the base configuration into a run.
+std::vector<std::string> overrides(const Study& study, const PlannedRun& run);
 
 /// The overrides that turn the base configuration into a run. @param own  settings of the run
 std::vector<std::string> overrides(const Study& study, const std::vector<Setting>& own);
 
-/// Reads the base configuration with the settings of every run, and of the reference if it is a run.
+/// Reads the base configuration with the settings of every run, and of the reference if it is a run; of more than a
+/// thousand runs those that have every value of every axis. Random keys are read at the ends of their distributions; a
+/// sample that is wrong nevertheless is a run that fails.
 /// @throws ConfigError with one line per error: those of settings with their location in the study, and unknown
 /// quantities (not probes of the configuration)
 void check_runs(const Study& study, const std::vector<PlannedRun>& runs, const Vocabulary& vocabulary);
+
+/// The probes that a study is about: those of [compare], or, of a study with random keys without it, all of the base.
+std::vector<Reference> compared_probes(const Study& study, const Vocabulary& vocabulary);
 
 }  // namespace creepcontact::config

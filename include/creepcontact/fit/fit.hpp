@@ -17,8 +17,10 @@ namespace creepcontact::fit {
 struct FittedParameter {
   std::string key, unit;
   double value = 0;
-  double low = 0, high = 0;  ///< 95 % confidence interval; both the value if it is at a bound
-  bool at_bound = false;     ///< the data draw it to the end of its range, where it is held
+  double low = 0, high = 0;    ///< 95 % confidence interval; both the value if it is at a bound
+  bool at_bound = false;       ///< the data draw it to the end of its range, where it is held
+  bool is_logarithmic = true;  ///< its logarithm is normally distributed, else it itself ...
+  double deviation = 0;        ///< ... with this standard deviation; 0 at a bound
 };
 
 /// Residuals of one kind of test.

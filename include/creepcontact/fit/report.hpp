@@ -29,6 +29,10 @@ struct BlockOptions {
 std::string material_block(const TestData& data, const LawChoice& choice, const FitResult& result,
                            const BlockOptions& options);
 
+/// How well the constants are known, as TOML: keys, values, standard deviations and correlations of those that are not
+/// at a bound, in the units of the block. A study takes it as `fit` of [[random.keys]]; empty: none is known.
+std::string scatter_block(const TestData& data, const LawChoice& choice, const FitResult& result);
+
 /// First line of a block; a file that begins with it may be overwritten.
 inline constexpr const char* block_heading = "# Fitted by creepcontact fit";
 

@@ -10,12 +10,13 @@ namespace creepcontact::plot {
 /// One curve of a panel.
 struct Series {
   /// Style `steps`: a value holds from the previous point up to its own. `bare_line`: no markers, as through points
-  /// that another series has.
-  enum class Style { line, steps, points, bare_line };
+  /// that another series has. `band`, `dark_band`: the area from y to `upper`, light or darker.
+  enum class Style { line, steps, points, bare_line, band, dark_band };
   std::string name;  ///< any text; shown literally
   std::vector<double> x, y;
   Style style = Style::line;
-  int look = -1;  ///< colour and marker, less than max_series; -1: by the position in the panel
+  int look = -1;                   ///< colour and marker, less than max_series; -1: by the position in the panel
+  std::vector<double> upper = {};  ///< of a band, as many as y
 };
 
 /// Labels and scale of an axis.

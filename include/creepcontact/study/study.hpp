@@ -33,6 +33,36 @@ struct StudyResult {
 /// @throws SolverError if the reference run does not finish
 StudyResult run_study(const config::Study& study, const config::Vocabulary& vocabulary, const StudyOptions& options);
 
+/// One of `count` parts of a study, numbered from 1.
+struct Shard {
+  int number = 1, count = 1;
+};
+
+/// Makes the runs of a shard that are not finished yet, and no tables. Shards may be computed at the same time, on
+/// several machines with a common file system; the first one also makes the reference run.
+/// @returns as run_study(), of the runs of the shard
+/// @throws ConfigError as run_study(); also if another process computes this shard, or the study is divided into
+/// another number of shards
+StudyResult run_shard(const config::Study& study, const config::Vocabulary& vocabulary, const StudyOptions& options,
+                      const Shard& shard);
+
+/// Makes one run, unless it is finished. @param name  "run_001" or "reference"
+/// @throws ConfigError as run_study(), or if there is no such run
+StudyResult run_single(const config::Study& study, const config::Vocabulary& vocabulary, const StudyOptions& options,
+                       const std::string& name);
+
+/// Writes the tables and pictures of the runs that there are, and makes none. Messages name what is missing.
+/// @returns exit status 0 if every run has been made, and one has succeeded; else 4
+/// @throws ConfigError as run_study(); also if another process gathers
+StudyResult gather_study(const config::Study& study, const config::Vocabulary& vocabulary, const StudyOptions& options);
+
+/// A command of the shell for each run, the reference first.
+std::vector<std::string> run_commands(const config::Study& study, const StudyOptions& options);
+
+/// A script that submits the shards as an array of jobs to Slurm, and after it a job that gathers.
+/// @param shards  0: a hundred, but no more than there are runs
+std::string slurm_script(const config::Study& study, const StudyOptions& options, int shards);
+
 /// True if a study was run in this directory.
 bool is_study_directory(const std::filesystem::path& directory);
 

@@ -95,7 +95,7 @@ TEST(ConfigBounds, RunsOfAStudy) {
     study += fmt::format("[[axes]]\nkey = 'materials.m{}.A'\nvalues = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]\n", axis);
   EXPECT_TRUE(
       creepcontact::test::says(creepcontact::test::message_of<ConfigError>([&] { parse_study(study, "study.toml"); }),
-                               {"study.toml:2:1: axes[0]: ", "1e+20 runs", "10000 runs", "zip"}));
+                               {"study.toml:2:1: axes[0]: ", "1e+20 runs", "100000 runs", "zip"}));
 }
 
 }  // namespace

@@ -209,7 +209,7 @@ TEST_F(StudyTables, WithoutReferenceTheProbesAreCompared) {
   EXPECT_EQ(csv.substr(0, csv.find(",status")), "time.integrator,time.step,time.beta,q_start,q_end,q_min,q_max");
   EXPECT_NE(csv.find("\nu,0.4,,3,1.234567891,1,4,completed,"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\nw,,0.5,,,,,failed,"), std::string::npos) << csv;
-  const std::string markdown = study_markdown(study_, runs_, rows_, {}, {});
+  const std::string markdown = study_markdown(study_, runs_, rows_, {}, "", {});
   EXPECT_NE(markdown.find("| 3 | 1.2346 | 1 | 4 | completed |"), std::string::npos) << markdown;
   EXPECT_EQ(markdown.find("order"), std::string::npos) << markdown;
   const io::test::TemporaryDirectory directory;
@@ -231,7 +231,7 @@ TEST_F(StudyTables, EveryRunHasANameOfItsOwn) {
 }
 
 TEST_F(StudyTables, Markdown) {
-  const std::string text = study_markdown(study_, runs_, rows_, {}, {"dir/a.svg"});
+  const std::string text = study_markdown(study_, runs_, rows_, {}, "", {"dir/a.svg"});
   EXPECT_EQ(text.substr(0, 7), "# cost\n");
   EXPECT_NE(text.find("Reference: `known.csv`."), std::string::npos);
   EXPECT_NE(text.find("| u | q | time.step: 0.4 to 0.1 | 1.00 |"), std::string::npos) << text;
