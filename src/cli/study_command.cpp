@@ -5,10 +5,12 @@
 #include <iostream>
 
 #include "command.hpp"
+#include "creepcontact/base/cores.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/config/study.hpp"
 #include "creepcontact/run/vocabulary.hpp"
 #include "creepcontact/study/study.hpp"
+#include "runs_together.hpp"
 
 namespace creepcontact::cli {
 namespace {
@@ -47,10 +49,13 @@ int study(const Command& self, const Arguments& arguments) {
   namespace po = boost::program_options;
   study::StudyOptions options;
   std::string output, run, shard;
-  int shards = 0;
+  int shards = 0, together = 16;
   CommandLine line(self);
   auto add = line.add_options();
   add("jobs", po::value(&options.jobs)->value_name("N"), "number of runs at a time (default: the number of cores)");
+  add("together", po::value(&together)->value_name("N"),
+      "samples of [random] computed together in one process, which shares mesh, factors and passes through them "
+      "(default: 16; 1: each in a process of its own)");
   add("output,o", po::value(&output)->value_name("DIR"),
       "directory of the results (default: results/<name of the study> next to the study file)");
   add("list", "print one command of the shell per run, and run nothing");
@@ -63,6 +68,10 @@ int study(const Command& self, const Arguments& arguments) {
   if (!line.parse(arguments, "STUDY.toml")) return 0;
   constexpr int max_jobs = 1000;
   if (line.has("jobs")) line.require_within("jobs", options.jobs, max_jobs);
+  constexpr int max_together = 64;  // beyond, passes are no cheaper
+  if (line.has("together")) line.require_within("together", together, max_together);
+  options.together = static_cast<std::size_t>(together);
+  options.make_together = runs_together(options.jobs > 0 ? options.jobs : cores());
   if (line.has("shards")) line.require_within("shards", shards, max_shards);
   require_one_task(line);
   options.output = output;

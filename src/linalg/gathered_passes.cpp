@@ -1,5 +1,7 @@
 #include "creepcontact/linalg/gathered_passes.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <exception>
 #include <utility>
@@ -11,6 +13,7 @@ namespace creepcontact::linalg {
 void GatheredPasses::run(std::span<const std::function<void()>> jobs, std::size_t at_once) {
   std::unique_lock lock(mutex_);
   std::size_t next = 0;
+  free_turns_ = static_cast<std::size_t>(omp_get_max_threads());
   while (true) {
     while (jobs_.size() < at_once && next < jobs.size()) {
       start(next, jobs[next]);
@@ -39,13 +42,15 @@ void GatheredPasses::start(std::size_t number, const std::function<void()>& job)
     std::exception_ptr failure;
     try {
       {
-        const std::scoped_lock known(mutex_);  // jobs_ has this thread from now on
+        std::unique_lock lock(mutex_);  // jobs_ has this thread from now on
+        take_turn(lock);
       }
       job();
     } catch (...) {
       failure = std::current_exception();
     }
     const std::scoped_lock lock(mutex_);
+    leave_turn();
     if (failure) failures_[number] = failure;
     ended_.push_back(std::this_thread::get_id());
     changed_.notify_one();
@@ -61,8 +66,20 @@ bool GatheredPasses::join(PassDirection direction, std::span<const Substitution>
   Request request{.job = job->second.number, .direction = direction, .of_bodies = of_bodies};
   waiting_.push_back(&request);
   if (waiting_.size() == jobs_.size()) changed_.notify_one();
+  leave_turn();
   request.made.wait(lock, [&] { return request.is_made; });
+  take_turn(lock);
   return true;
+}
+
+void GatheredPasses::take_turn(std::unique_lock<std::mutex>& lock) {
+  turn_.wait(lock, [&] { return free_turns_ > 0; });
+  --free_turns_;
+}
+
+void GatheredPasses::leave_turn() {
+  ++free_turns_;
+  turn_.notify_one();
 }
 
 GatheredPasses::Counters GatheredPasses::counters() const {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "creepcontact/base/cores.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/platform/directory_lock.hpp"
 #include "creepcontact/platform/interrupt.hpp"
@@ -41,10 +40,6 @@ config::Study with_probes(config::Study study, const config::Vocabulary& vocabul
   return study;
 }
 
-int jobs_of(const StudyOptions& options) {
-  return options.jobs > 0 ? options.jobs : cores();
-}
-
 /// Makes the run with which the others are compared, unless it is finished.
 /// @returns nullopt if it was interrupted @throws SolverError if it does not finish
 std::optional<RunOutcome> made_reference(StudyExecution& execution, const config::PlannedRun& run,
@@ -75,8 +70,7 @@ StudyResult run_study(const config::Study& given, const config::Vocabulary& voca
   const auto reference = config::reference_run(study);
   {
     StudyProgress progress(runs.size() + (reference ? 1 : 0));
-    StudyExecution execution(study, vocabulary, options.program, directory, jobs_of(options), cores(),
-                             options.trust_geometry, interrupt, progress);
+    StudyExecution execution(study, vocabulary, options, directory, interrupt, progress);
     if (reference)
       if (const auto outcome = made_reference(execution, *reference, interrupt))
         conclusion.take_reference(*outcome, (execution.directory_of(*reference) / "history.csv").string());
@@ -106,8 +100,7 @@ StudyResult run_single(const config::Study& study, const config::Vocabulary& voc
   const platform::Interrupt interrupt;
   claim_directory(directory, study);
   StudyProgress progress(1);
-  StudyExecution execution(study, vocabulary, options.program, directory, jobs_of(options), cores(),
-                           options.trust_geometry, interrupt, progress);
+  StudyExecution execution(study, vocabulary, options, directory, interrupt, progress);
   const StudyRow row = execution.run({*run}).front();
   if (interrupt.requested() && !row.succeeded())
     return {platform::interrupted_status, fmt::format("{} interrupted; run the same command to continue", name)};
@@ -131,8 +124,7 @@ StudyResult run_shard(const config::Study& study, const config::Vocabulary& voca
   std::vector<std::size_t> indices = runs_of_shard(all.size(), shard);
   const auto reference = shard.number == 1 ? config::reference_run(study) : std::nullopt;
   StudyProgress progress(indices.size() + (reference ? 1 : 0));
-  StudyExecution execution(study, vocabulary, options.program, directory, jobs_of(options), cores(),
-                           options.trust_geometry, interrupt, progress);
+  StudyExecution execution(study, vocabulary, options, directory, interrupt, progress);
   if (reference) made_reference(execution, *reference, interrupt);
   ShardStore store(study, vocabulary, shard_file(directory, shard.number));
   std::vector<StudyRow> rows;

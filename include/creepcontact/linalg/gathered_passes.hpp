@@ -20,9 +20,9 @@ namespace creepcontact::linalg {
 /// results are the same in every run.
 class GatheredPasses {
  public:
-  /// Calls all jobs, `at_once` at a time and in their order, and returns when they have ended. Each has one thread, the
-  /// passes have those that the caller has. A job must not wait for another one, except for what that does before its
-  /// next pass. One call at a time.
+  /// Calls all jobs, `at_once` at a time and in their order, and returns when they have ended. Each has one thread; as
+  /// many as OpenMP gives the caller work at a time, and make the passes. A job must not wait for another one, except
+  /// for what that does before its next pass. One call at a time.
   /// @throws what the first of the jobs that failed has thrown, after the end of all
   void run(std::span<const std::function<void()>> jobs, std::size_t at_once);
 
@@ -51,7 +51,13 @@ class GatheredPasses {
   void make_passes();
   void make(PassDirection direction, std::span<Request* const> requests);
 
+  /// Waits until one of the cores is free for the calling job, and leaves it to another one.
+  void take_turn(std::unique_lock<std::mutex>& lock);
+  void leave_turn();
+
   mutable std::mutex mutex_;
+  std::condition_variable turn_;
+  std::size_t free_turns_ = 0;
   std::condition_variable changed_;
   std::map<std::thread::id, Job> jobs_;  // under way
   std::vector<std::thread::id> ended_;   // of them

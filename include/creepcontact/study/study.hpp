@@ -2,6 +2,7 @@
 /// Performs the runs of a study, compares them with the reference, and writes study.csv and study.md.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,27 @@
 
 namespace creepcontact::study {
 
+/// A run that is made in this process.
+struct RunCall {
+  std::filesystem::path base;
+  std::vector<std::string> overrides;
+  std::filesystem::path output, log;  ///< directory of its results, and file for its messages
+  bool resume = false, trust_geometry = false;
+};
+
+/// Makes runs as threads of this process, `at_once` at a time, which share what they have in common.
+/// @param ended  called with number and exit status of each that has ended, by one thread at a time
+using RunsTogether = std::function<void(const std::vector<RunCall>& calls, std::size_t at_once,
+                                        const std::function<void(std::size_t run, int exit_status)>& ended)>;
+
 /// Options that are not part of the study file.
 struct StudyOptions {
-  std::filesystem::path program;  ///< started for each run: `program run CONFIG.toml ...`
-  std::filesystem::path output;   ///< directory; empty: results/<name of the study> next to its file
-  int jobs = 0;                   ///< concurrent runs; 0: one per core
-  bool trust_geometry = false;    ///< let .geo files run programs and write files
+  std::filesystem::path program;    ///< started for each run: `program run CONFIG.toml ...`
+  std::filesystem::path output;     ///< directory; empty: results/<name of the study> next to its file
+  int jobs = 0;                     ///< concurrent runs; 0: one per core
+  bool trust_geometry = false;      ///< let .geo files run programs and write files
+  std::size_t together = 16;        ///< samples of [random] that are computed at a time in this process; 1: none
+  RunsTogether make_together = {};  ///< null: every run is a process of its own
 };
 
 /// Outcome of a study.
@@ -25,9 +41,10 @@ struct StudyResult {
   std::string message;
 };
 
-/// Each run is a separate process in <output>/runs/<name>; concurrent runs share the cores as threads. Runs finished by
-/// an earlier call with the same settings, files and version are kept; interrupted ones continue from their checkpoint.
-/// SIGINT, SIGTERM and SIGHUP end the current runs, each with a checkpoint.
+/// Each run is a separate process, those of random samples threads of this one, in <output>/runs/<name>; concurrent
+/// runs share the cores as threads. Runs finished by an earlier call with the same settings, files and version are
+/// kept; interrupted ones continue from their checkpoint. SIGINT, SIGTERM and SIGHUP end the current runs, each with a
+/// checkpoint.
 /// @param vocabulary  names that the configurations may use
 /// @throws ConfigError with all errors found before the first run, or if the directory contains another study
 /// @throws SolverError if the reference run does not finish
