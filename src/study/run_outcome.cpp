@@ -100,7 +100,9 @@ RunOutcome found_outcome(const fs::path& directory) {
   if (outcome.row.succeeded()) return outcome;
   const std::vector<std::string> errors = logged(directory, "error: ");
   const auto summary = io::read_summary(directory / "summary.json");
-  const bool was_interrupted = summary && summary->status == Status::interrupted;
+  // Before its first step a run that is ended by a signal leaves no summary, only this message.
+  const bool was_interrupted = (summary && summary->status == Status::interrupted) ||
+                               (!errors.empty() && errors.back().starts_with("interrupted"));
   outcome.row.status = was_interrupted ? "interrupted" : errors.empty() ? "not started" : "failed";
   if (was_interrupted || errors.empty()) return outcome;
   if (summary) take_counts(*summary, outcome.row);
