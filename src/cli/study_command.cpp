@@ -68,7 +68,7 @@ int study(const Command& self, const Arguments& arguments) {
   if (!line.parse(arguments, "STUDY.toml")) return 0;
   constexpr int max_jobs = 1000;
   if (line.has("jobs")) line.require_within("jobs", options.jobs, max_jobs);
-  constexpr int max_together = 64;  // beyond, passes are no cheaper
+  constexpr int max_together = 64;  // beyond, passes do not get cheaper
   if (line.has("together")) line.require_within("together", together, max_together);
   options.together = static_cast<std::size_t>(together);
   options.make_together = runs_together(options.jobs > 0 ? options.jobs : cores());

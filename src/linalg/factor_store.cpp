@@ -61,7 +61,7 @@ class FactorStore::Content {
            const SparseMatrix& lower) {
     std::unique_lock lock(mutex_);
     if (before) {
-      // What nobody else uses makes room, as it does without a store.
+      // What nobody else uses makes room, as it does where there is no store.
       if (Entry& entry = *find(*before); --entry.users == 0 && entry.key != key) entries_.erase(find(*before));
       before.reset();
     }

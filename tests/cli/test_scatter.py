@@ -4,10 +4,13 @@ import csv
 import math
 import pathlib
 import re
+import signal
 import statistics
+import subprocess
 import unittest
 
-from study_case import BASE, StudyTest
+from study_case import BASE, PROGRAM, StudyTest
+from waiting import LONGEST, wait_until
 
 STUDIES = pathlib.Path(__file__).resolve().parents[2] / "studies"
 
@@ -189,6 +192,72 @@ class Scatter(StudyTest):
         self.write("cube.toml", BASE)
         self.expect_error(self.study(text, "--output", "other"), 2, "study.toml:7:1: random.keys[0]: ", "the fit found",
                           "cube.toml has 3.125e-14")
+
+
+class Together(StudyTest):
+    """Samples that one process computes, against those that have a process each."""
+
+    KEYS = STUDY.replace("samples = 64", "samples = 12") + SECOND_KEY + COMPARE
+
+    def setUp(self):
+        super().setUp()
+        self.write("cube.toml", BASE + EVENT)
+
+    def histories(self, directory):
+        return {path.parent.name: path.read_text() for path in (self.directory / directory).glob("runs/*/history.csv")}
+
+    def expect_same(self, first, second, within):
+        self.assertEqual(sorted(first), sorted(second))
+        for name in first:
+            for a, b in zip(first[name].splitlines()[1:], second[name].splitlines()[1:], strict=True):
+                for x, y in zip(a.split(","), b.split(","), strict=True):
+                    self.assertAlmostEqual(float(x), float(y), delta=within * max(abs(float(x)), 1e-300))
+
+    def test_samples_are_those_of_single_runs(self):
+        for together, output in (("1", "single"), ("5", "five"), ("16", "all")):
+            done = self.study(self.KEYS, "--together", together, "--output", output)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("12 of 12 runs succeeded", done.stdout)
+        single = self.histories("single")
+        self.assertEqual(len(single), 12)
+        self.expect_same(single, self.histories("five"), 1e-9)
+        self.expect_same(single, self.histories("all"), 1e-9)
+
+    def test_they_are_the_same_for_any_number_of_threads(self):
+        for jobs in ("1", "2"):
+            self.assertEqual(self.study(self.KEYS, "--jobs", jobs, "--output", f"jobs{jobs}").returncode, 0)
+        self.assertEqual(self.histories("jobs1"), self.histories("jobs2"))
+
+    def test_messages_belong_to_their_runs(self):
+        text = self.KEYS.replace("time.tolerance = 1e-5", 'time.integrator = "beta_euler", time.step = 0.02, time.beta = 0.5')
+        done = self.study(text.replace("factor = 2.0", "factor = 40.0"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = self.rows()
+        for run, row in enumerate(rows, 1):
+            log = (self.output / f"runs/run_{run:03}/run.log").read_text()
+            self.assertEqual("error: " in log, row["status"] == "failed", (row["status"], log))
+        self.assertEqual({row["status"] for row in rows}, {"failed", "completed"})
+        self.assertEqual(self.call("study", "study.toml", "--together", "1").returncode, 0)  # those that failed, once more
+        self.assertEqual([(row["status"], row["message"]) for row in self.rows()],
+                         [(row["status"], row["message"]) for row in rows])
+
+    def test_an_interrupted_study_goes_on(self):
+        text = self.KEYS.replace("time.tolerance = 1e-5", 'time.integrator = "explicit_euler", time.step = 2e-5')
+        self.write("study.toml", text)
+        process = subprocess.Popen([PROGRAM, "study", "study.toml"], cwd=self.directory, stderr=subprocess.PIPE, text=True)
+        wait_until(lambda: any(self.output.glob("runs/*/steps.csv")), "a first step")
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=LONGEST)
+        self.assertEqual(process.returncode, 130, errors)
+        self.assertSays(errors, "run the same command to continue")
+        done = self.study(text)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.study(text, "--output", "whole")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.expect_same(self.histories("whole"), self.histories("results/study"), 1e-9)
+
+    def test_mistakes(self):
+        self.expect_error(self.study(self.KEYS, "--together", "0"), 2, "--together", "1 to 64")
 
 
 class ScatterExamples(StudyTest):

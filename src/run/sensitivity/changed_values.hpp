@@ -20,8 +20,8 @@ struct ChangedValue {
 constexpr double relative_change = 1e-5;
 
 /// One for each key of [sensitivity]. @param config  complete
-/// @throws ConfigError with one line per mistake: keys that the configuration does not have or that are no numbers, and
-/// settings with which there are no derivatives
+/// @throws ConfigError with one line per mistake: keys that the configuration does not have, values that are not
+/// numbers, and settings with which there are no derivatives
 std::vector<ChangedValue> changed_values(const config::Config& config);
 
 }  // namespace creepcontact::run

@@ -1,6 +1,6 @@
 #pragma once
-/// A system with the derivatives of its state: the forward sensitivity equations ds/dt = (df/dy) s + df/dp, whose right
-/// side is a difference of the rates of two variants, so that histories and contact sets are those of each.
+/// A system with the derivatives of its state: the forward sensitivity equations ds/dt = (df/dy) s + df/dp. Their right
+/// side is a difference of the rates of two variants. Histories and contact sets are those of each.
 /// Source: Hindmarsh and Serban, User documentation for CVODES, section 2.6; the difference: Bock (1981).
 
 #include <vector>

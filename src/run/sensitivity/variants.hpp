@@ -1,5 +1,5 @@
 #pragma once
-/// The models from which derivatives are taken, beside that of the run: two for each value, with more and with less of
+/// The models from which derivatives are taken, next to that of the run: two for each value, with more and with less of
 /// it. They share its mesh, as far as they can its factors, and their passes are made together.
 
 #include <functional>
