@@ -9,7 +9,7 @@
 
 namespace creepcontact::linalg {
 
-/// Lends factors. The same matrix, to the last bit, is factored once, and all who need its factor at a time share it;
+/// Lends factors. A matrix that is the same to the last bit is factored once, and all who need its factor share it;
 /// another matrix of the same pattern is not analysed again. As many factors as were in use at a time are kept when
 /// nobody uses them. Several threads may use one store.
 class FactorStore {
