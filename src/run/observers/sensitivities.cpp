@@ -22,7 +22,8 @@ class Sensitivities final : public Observer {
         integrator_(*context.sensitive),
         variants_(integrator_.variants()),
         watch_(context.config, context.observed.probes()),
-        changes_of_events_(context.config.events.size()) {
+        changes_of_events_(context.config.events.size()),
+        has_warned_(variants_.n_values(), false) {
     for (const auto& variant : variants_.all()) {
       const ChangedValue& value = variants_.values()[variant->value()];
       watches_.emplace_back(variant->sign() > 0 ? value.more : value.less, variant->probes());
@@ -125,11 +126,11 @@ class Sensitivities final : public Observer {
       const Values &more = values[2 * k], &less = values[2 * k + 1];
       for (std::size_t p = 0; p < more.probes.size(); ++p)
         derivatives_[k].push_back(Variants::derivative(more.probes[p], less.probes[p]));
-      if (more.closed == less.closed) continue;
+      if (more.closed == less.closed || has_warned_[k]) continue;
+      has_warned_[k] = true;
       log::warning(
           "sensitivity: at t = {:.6g} other nodes are in contact with a little more than with a little less of '{}': "
-          "the "
-          "derivatives there are means of two one-sided ones",
+          "where that is so, derivatives are means of two one-sided ones; it is not said again",
           view.time(), variants_.values()[k].key);
     }
   }
@@ -193,6 +194,7 @@ class Sensitivities final : public Observer {
   std::optional<io::HistoryWriter> file_;
   std::vector<std::vector<double>> derivatives_;        // by value, of the probes at the last output, per value/change
   std::vector<std::vector<double>> changes_of_events_;  // by event, of its time; empty: it has not happened
+  std::vector<bool> has_warned_;                        // by value
 };
 
 }  // namespace
