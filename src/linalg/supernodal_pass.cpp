@@ -1,6 +1,7 @@
 #include "supernodal_pass.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <numeric>
 #include <stdexcept>
 
@@ -127,6 +128,13 @@ struct SupernodalPass::Impl {
   void load(std::int64_t k, const std::int64_t* numbered, double* x) const {
     const std::int64_t at = numbered != nullptr ? numbered[k] : k;
     for (std::size_t v = 0; v < width; ++v) x[v] = from[v][at];
+  }
+  // Rows are too short for a call of a library.
+  void copy(const double* x_row, double* to) const {
+    constexpr std::size_t piece = 4;
+    std::size_t v = 0;
+    for (; v + piece <= width; v += piece) std::memcpy(to + v, x_row + v, piece * sizeof(double));
+    for (; v < width; ++v) to[v] = x_row[v];
   }
   void add(const double* x_row, double* to) const {
     for (std::size_t v = 0; v < width; ++v) to[v] += x_row[v];
@@ -389,7 +397,7 @@ void SupernodalPass::Impl::backward_panel(Front& front, std::size_t p) {
   double* const values = front.values.data() + n * r;
   if (p + 1 == front.panels.size()) {
     if (branch.parent >= 0) branches[branch.parent]->backward_done.wait_for(1);
-    for (std::size_t i = 0; i < below.size(); ++i) std::copy_n(&solution[below[i] * r], r, values + i * width);
+    for (std::size_t i = 0; i < below.size(); ++i) copy(&solution[below[i] * r], values + i * width);
     own.progress.reach(1);
   } else {
     front.panels.back().progress.wait_for(1);
@@ -418,7 +426,7 @@ void SupernodalPass::Impl::backward_subtree(Subtree& subtree) {
   const Branch& branch = *branches[subtree.branch];
   if (branch.parent >= 0) branches[branch.parent]->backward_done.wait_for(1);
   const std::span<const std::int64_t> below = nodes.rows_below(branch.root);
-  for (std::size_t i = 0; i < below.size(); ++i) std::copy_n(&solution[below[i] * r], r, &subtree.update[i * width]);
+  for (std::size_t i = 0; i < below.size(); ++i) copy(&solution[below[i] * r], &subtree.update[i * width]);
   const std::int32_t* outside = subtree.outside.data() + subtree.outside.size();
   double* const local = subtree.work.data();
   const std::int64_t end = nodes.first_column[branch.root + 1];
@@ -427,8 +435,8 @@ void SupernodalPass::Impl::backward_subtree(Subtree& subtree) {
     const std::int64_t* const rows = nodes.rows_of(s).data();
     for (std::int64_t k = 0; k < n; ++k) load(first + k, nullptr, local + k * r);
     std::int64_t i = n_rows;
-    for (; i > n && rows[i - 1] >= end; --i) std::copy_n(&subtree.update[*--outside * r], r, local + (i - 1) * r);
-    for (; i > n; --i) std::copy_n(&solution[rows[i - 1] * r], r, local + (i - 1) * r);
+    for (; i > n && rows[i - 1] >= end; --i) copy(&subtree.update[*--outside * r], local + (i - 1) * r);
+    for (; i > n; --i) copy(&solution[rows[i - 1] * r], local + (i - 1) * r);
     substitute(panel(s, 0, 0, n_rows, n), local, width);
     std::copy_n(local, n * r, &solution[first * r]);
   }

@@ -87,6 +87,7 @@ class RateOfPython final : public BatchedFunction {
 class RateAtAddress final : public BatchedFunction {
  public:
   RateAtAddress(std::uintptr_t address, const py::object& owner)
+      // NOLINTNEXTLINE(performance-no-int-to-ptr): Python has it as a number
       : function_(reinterpret_cast<Compiled>(address)), owner_(kept_for_threads(owner)) {}
   void evaluate(std::span<const Arguments> at, std::span<double> values) const override {
     for (std::size_t p = 0; p < at.size(); ++p) values[p] = function_(at[p].q, at[p].T, at[p].t, at[p].eps);

@@ -39,10 +39,11 @@ std::string some_of(const std::vector<std::string>& names) {
 /// Commands that make what is missing.
 std::string remedy(const fs::path& file, const fs::path& directory, const std::set<int>& shards,
                    std::optional<int> count) {
-  const std::string command =
+  std::string command =
       fmt::format("creepcontact study {} --output {}", shell_quoted(file.string()), shell_quoted(directory.string()));
   if (!count) return command;
   std::vector<std::string> names;
+  names.reserve(shards.size());
   for (const int shard : shards) names.push_back(std::to_string(shard));
   return fmt::format("{} --shard i/{} with i = {}", command, *count, some_of(names));
 }

@@ -32,6 +32,7 @@ void Histories::take(std::size_t run, const io::CsvTable& history, bool is_whole
   for (std::size_t i = 0; i < rows; ++i)
     if (i % stride_ == 0 || (is_whole && i + 1 == rows)) kept.push_back(i);
   std::vector<double> kept_times;
+  kept_times.reserve(kept.size());
   for (const std::size_t i : kept) kept_times.push_back((*times)[i]);
   Run& one = runs_[run];
   one.is_whole = is_whole;

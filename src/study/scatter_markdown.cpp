@@ -85,7 +85,7 @@ std::string happenings_text(const ScatterGroup& group) {
 std::string influence_text(const Scatter& scatter, const ScatterGroup& group) {
   std::vector<std::string> heads{"result"};
   for (const std::string& key : scatter.keys) heads.push_back(in_code(key));
-  if (!scatter.is_correlated) heads.push_back("quality");
+  if (!scatter.is_correlated) heads.emplace_back("quality");
   std::string text = head_text(heads);
   bool any = false;
   for (std::size_t r = 0; r < group.results.size(); ++r) {

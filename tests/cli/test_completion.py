@@ -64,7 +64,7 @@ class Completion(CompletionTest):
     def test_options_are_those_of_the_command(self):
         self.assertEqual(self.complete("run case.toml --l"), ["--log-contact"])
         self.assertEqual(self.complete("study --"), ["--gather", "--help", "--jobs", "--list", "--output", "--run", "--shard",
-                                                     "--shards", "--slurm", "--trust-geometry"])
+                                                     "--shards", "--slurm", "--together", "--trust-geometry"])
 
     def test_files(self):
         self.assertEqual(self.complete("run "), ["case.toml", "results", "two words.toml"])

@@ -52,6 +52,18 @@ class Shards(StudyTest):
         self.assertIn("12 of 12 runs succeeded", done.stdout, done.stderr)
         return self.quantiles(self.directory / "whole")
 
+    def expect_same(self, found, expected):
+        """Which samples are computed together decides the last digits."""
+        self.assertEqual(len(found), len(expected))
+        for row, other in zip(found, expected):
+            self.assertEqual(list(row), list(other))
+            for name in row:
+                value = float(other[name]) if other[name] else None
+                if value is None:
+                    self.assertEqual(row[name], "")
+                else:
+                    self.assertAlmostEqual(float(row[name]), value, delta=1e-9 * max(abs(value), 1e-300), msg=name)
+
     def test_shards_are_gathered_to_the_same_tables(self):
         for number in (2, 1, 3):
             done = self.shard(f"{number}/3")
@@ -61,7 +73,7 @@ class Shards(StudyTest):
         done = self.gather()
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("12 of 12 runs succeeded", done.stdout)
-        self.assertEqual(self.quantiles(), self.whole())
+        self.expect_same(self.quantiles(), self.whole())
 
     def test_one_file_per_shard_gives_the_same_tables(self):
         expected = self.whole()
@@ -72,7 +84,7 @@ class Shards(StudyTest):
         self.assertEqual(len(list(self.output.glob("shards/*/runs.h5"))), 2)
         done = self.gather()
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(self.quantiles(), expected)
+        self.expect_same(self.quantiles(), expected)
         self.assertTrue(all(row["status"] == "completed" and int(row["steps"]) > 0 for row in self.rows()))
 
         # What is there is kept; a lost shard is made again, alone.
@@ -86,7 +98,7 @@ class Shards(StudyTest):
         self.expect_error(done, 4, "002/runs.h5", "6 of 12 runs succeeded", "6 are missing: run_002, run_004", "i = 2")
         self.assertEqual(self.shard("2/2").returncode, 0)
         self.assertEqual(self.gather().returncode, 0)
-        self.assertEqual(self.quantiles(), expected)
+        self.expect_same(self.quantiles(), expected)
 
     def test_a_shard_that_is_killed_is_made_again_alone(self):
         self.assertEqual(self.shard("1/2").returncode, 0)
@@ -111,7 +123,7 @@ class Shards(StudyTest):
         self.assertEqual(len(again), 12)
         done = self.gather()
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(self.quantiles(), self.whole())
+        self.expect_same(self.quantiles(), self.whole())
         self.assertTrue(set(kept) <= set(again))
 
     def has_running_run(self):
@@ -160,7 +172,7 @@ class Shards(StudyTest):
             self.assertEqual(ran.returncode, 0, ran.stderr)
         done = self.gather("--output", "by hand's")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(self.quantiles(self.directory / "by hand's"), self.whole())
+        self.expect_same(self.quantiles(self.directory / "by hand's"), self.whole())
 
     def test_gathering_nothing(self):
         self.expect_error(self.gather(), 2, "results/study", "shards")

@@ -157,8 +157,9 @@ class Sensitivities final : public Observer {
           },
           [&](Variant& variant, std::span<const double> y) {
             const std::size_t v = Variants::index_of(variant);
-            holds[v] = variant.with_snapshot(
-                times[v], y, [&](results::Snapshot& snapshot) { return watches_[v].holds(event, snapshot) ? 1 : 0; });
+            holds[v] = variant.with_snapshot(times[v], y, [&](results::Snapshot& snapshot) {
+              return static_cast<char>(watches_[v].holds(event, snapshot));
+            });
           });
       return holds;
     };

@@ -68,7 +68,8 @@ TEST(KeySections, TablesAsInTheFile) {
                            "[report]",
                            "[[probes]]",
                            "[[events]]",
-                           "[[criteria]]"}));
+                           "[[criteria]]",
+                           "[sensitivity]"}));
 }
 
 TEST(KeySections, EveryKeyStandsInOneOfThem) {
