@@ -54,11 +54,11 @@ std::vector<Row> rows_of(const io::Summary& summary) {
   return rows;
 }
 
-/// The input that moves a result most.
-std::string strongest(const Row& row, const std::vector<Sensitivity>& inputs) {
+/// The number of the input that moves a result most.
+std::string strongest(const Row& row) {
   const double most = row.largest();
-  for (std::size_t k = 0; k < inputs.size(); ++k)
-    if (most > 0 && row.effects[k] && std::abs(*row.effects[k]) == most) return inputs[k].key;
+  for (std::size_t k = 0; k < row.effects.size(); ++k)
+    if (most > 0 && row.effects[k] && std::abs(*row.effects[k]) == most) return std::to_string(k + 1);
   return "-";
 }
 
@@ -69,19 +69,25 @@ void add_sensitivities(const RunData& run, Html& page) {
   const std::vector<Sensitivity>& inputs = run.summary->sensitivities;
   page.open("section", "id=\"sensitivities\"");
   page.element("h2", "Which input moves the answer most");
-  page.element("p",
-               "Change of each result at the end, in per cent of its value, if an input grows by one per cent of its "
-               "magnitude, or of the typical change given for it. These are derivatives: they hold for small changes.");
+  page.element(
+      "p",
+      "Change of each result at the end, in per cent of its value, if an input grows by one per cent: of its "
+      "magnitude, or of the typical change given for it. These are derivatives, which hold for small changes.");
+  std::vector<std::vector<std::string>> list;
   std::vector<std::string> head{"result"};
-  for (const Sensitivity& input : inputs)
-    head.push_back(fmt::format("{} = {}", input.key, readable(fmt::format("{}", input.value))));
+  for (const Sensitivity& input : inputs) {
+    head.push_back(std::to_string(head.size()));
+    list.push_back({head.back(), input.key, readable(fmt::format("{}", input.value)),
+                    readable(fmt::format("{:.4g}", input.change / 100))});
+  }
   head.emplace_back("most");
+  page.table({"", "input", "value", "one per cent"}, list, "Inputs");
   std::vector<std::vector<std::string>> cells;
   for (const Row& row : rows_of(*run.summary)) {
     std::vector<std::string>& line = cells.emplace_back(std::vector<std::string>{row.name});
     for (const std::optional<double>& effect : row.effects)
       line.push_back(effect ? fmt::format("{:.3g}", *effect) : "-");
-    line.push_back(strongest(row, inputs));
+    line.push_back(strongest(row));
   }
   page.table(head, cells, "Change in per cent for one per cent of each input");
   page.close("section");

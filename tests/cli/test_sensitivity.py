@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 import unittest
 
 from process_case import ProcessTest
@@ -69,6 +70,21 @@ class Sensitivity(ProcessTest):
             self.assertEqual(found[key]["probes"]["stress"], rows[-1][f"d_stress__{key}"])
             expected = derivative(time_of_level, key)
             self.assertAlmostEqual(found[key]["events"]["low"] / expected, 1, delta=1e-6)
+
+    def test_the_report_tells_which_input_moves_most(self):
+        self.run_cube()
+        done = self.call("report", "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = (self.output / "report.html").read_text(encoding="utf-8")
+        self.assertSays(page, "Which input moves the answer most", A, U)
+        section = page[page.index('id="sensitivities"'):]
+        section = section[:section.index("</section>")]
+        row = re.search(r"stress.*?</tr>", section[section.rindex("most</th>"):], re.S)[0]
+        cells = [re.sub("<[^>]*>", "", cell).strip() for cell in re.findall(r"<td.*?</td>", row, re.S)]
+        n = 5 * derivative(lambda of: stress(0.4, of), N) / stress(0.4, VALUES)
+        self.assertTrue(any(abs(float(cell) - n) < 1e-2 * abs(n) for cell in cells[:4] if cell != "-"), (cells, n))
+        keys = sorted(VALUES)  # as the summary has them
+        self.assertEqual(cells[-1], str(keys.index(N) + 1))
 
     def test_every_kind_of_integrator(self):
         for integrator in ("cvode_bdf", "cvode_adams", "arkode_erk", "arkode_dirk"):
