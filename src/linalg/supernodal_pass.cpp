@@ -125,9 +125,9 @@ struct SupernodalPass::Impl {
   void set_width(std::size_t vectors);
   void reset();
   /// Row k of what is given, for all vectors, in the order of the factor if `numbered` is null.
-  void load(std::int64_t k, const std::int64_t* numbered, double* x) const {
+  void load(std::int64_t k, const std::int64_t* numbered, double* row) const {
     const std::int64_t at = numbered != nullptr ? numbered[k] : k;
-    for (std::size_t v = 0; v < width; ++v) x[v] = from[v][at];
+    for (std::size_t v = 0; v < width; ++v) row[v] = from[v][at];
   }
   // Rows are too short for a call of a library.
   void copy(const double* x_row, double* to) const {
@@ -254,9 +254,9 @@ void SupernodalPass::Impl::place_children() {
 }
 
 void SupernodalPass::Impl::list_tasks(const Tree& tree) {
-  for (auto subtree = subtrees.rbegin(); subtree != subtrees.rend(); ++subtree) {  // in the order of the factor
-    tasks.push_back({&*subtree, nullptr, 0});
-    work.push_back(tree.entries[branches[subtree->branch]->root]);
+  for (std::size_t n = subtrees.size(); n-- > 0;) {  // in the order of the factor
+    tasks.push_back({&subtrees[n], nullptr, 0});
+    work.push_back(tree.entries[branches[subtrees[n].branch]->root]);
   }
   // Fronts of the same depth do not need each other: panel by panel in turn.
   std::vector<Task> of_fronts;

@@ -12,8 +12,8 @@ namespace creepcontact::run {
 struct ChangedValue {
   std::string key;  ///< "contacts[0].gap"
   double value = 0;
-  double change = 0;          ///< a typical one, > 0: results are differentiated with respect to value/change
-  config::Config more, less;  ///< with value + and - relative_change * change
+  double change = 0;                    ///< a typical one, > 0: results are differentiated with respect to value/change
+  config::Config more = {}, less = {};  ///< with value + and - relative_change * change
 };
 
 /// Small enough for the second derivatives of results, large enough for the rounding errors of their differences.
