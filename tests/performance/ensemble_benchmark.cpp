@@ -39,7 +39,7 @@ std::vector<Case> cases() {
            {},
            {{"materials.bolt_steel.creep[0].A", 9.1e-26}, {"materials.flange_steel.creep[0].A", 8.2e-21}}},
           {CREEPCONTACT_CONFIGS "/ball_on_block.toml",
-           {"mesh.parameters.h=0.107", "time.tolerance=1e-3"},
+           {"mesh.parameters.h=0.16", "time.tolerance=1e-3"},
            {{"materials.solder.creep[0].A", 1e-14}, {"materials.copper.creep[0].A", 1e-17}}}};
 }
 
