@@ -11,25 +11,13 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/suggestion.hpp"
 #include "creepcontact/config/configured.hpp"
+#include "creepcontact/config/random.hpp"
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/config/writer.hpp"
 #include "creepcontact/run/vocabulary.hpp"
 
 namespace creepcontact::run {
 namespace {
-
-/// contacts.0.gap, which --set takes too, to contacts[0].gap
-std::string with_brackets(const std::string& key) {
-  std::string result;
-  for (std::size_t begin = 0; begin <= key.size();) {
-    const std::size_t end = std::min(key.find('.', begin), key.size());
-    const std::string part = key.substr(begin, end - begin);
-    const bool is_index = !part.empty() && std::ranges::all_of(part, [](char c) { return c >= '0' && c <= '9'; });
-    result += is_index ? fmt::format("[{}]", part) : (result.empty() ? "" : ".") + part;
-    begin = end + 1;
-  }
-  return result;
-}
 
 /// All keys with the texts of their values.
 std::vector<config::ConfiguredValue> values_of(const config::Config& config) {
@@ -89,16 +77,17 @@ std::vector<ChangedValue> changed_values(const config::Config& config) {
   std::vector<ChangedValue> result;
   for (std::size_t k = 0; k < wanted.keys.size(); ++k) {
     const config::Reference& reference = wanted.keys[k];
-    const std::string key = with_brackets(reference.name);
-    const auto found = std::ranges::find(values, key, &config::ConfiguredValue::key);
+    const auto found = std::ranges::find(values, config::with_dots(reference.name),
+                                         [](const config::ConfiguredValue& one) { return config::with_dots(one.key); });
     if (found == values.end()) {
       std::vector<std::string> names;
       for (const config::ConfiguredValue& one : values)
         if (number_in(one.text) && obstacle(one.key).empty()) names.push_back(one.key);
-      add_error(reference,
-                fmt::format("this configuration has no value '{}'{}", reference.name, did_you_mean(key, names)));
+      add_error(reference, fmt::format("this configuration has no value '{}'{}", reference.name,
+                                       did_you_mean(reference.name, names)));
       continue;
     }
+    const std::string& key = found->key;
     if (const std::string why = obstacle(key); !why.empty()) {
       add_error(reference, fmt::format("'{}': {}", reference.name, why));
       continue;
