@@ -5,8 +5,8 @@
 
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
+#include "complaints.hpp"
 #include "config_fixture.hpp"
 #include "creepcontact/config/study.hpp"
 #include "support/says.hpp"
@@ -28,25 +28,13 @@ std::string random_head(const std::string& rest = "") {
   return beginning + "[random]\nsamples = 8\n" + rest;
 }
 
-template <class Action>
-RandomLines lines_thrown(Action action) {
-  RandomLines lines;
-  try {
-    action();
-  } catch (const ConfigError& error) {
-    std::istringstream text(error.what());
-    for (std::string line; std::getline(text, line);) lines.push_back(line);
-  }
-  return lines;
-}
-
 void expect_only(const RandomLines& lines, std::initializer_list<std::string_view> facts) {
   ASSERT_EQ(lines.size(), 1u) << (lines.empty() ? "no mistake" : lines[0] + "\n" + lines.back());
   EXPECT_TRUE(creepcontact::test::says(lines[0], facts)) << lines[0];
 }
 
 void expect_random_mistake(const std::string& text, std::initializer_list<std::string_view> facts) {
-  expect_only(lines_thrown([&] { parse_study(text, "s/study.toml"); }), facts);
+  expect_only(complaints([&] { parse_study(text, "s/study.toml"); }), facts);
 }
 
 TEST(RandomReading, EveryKey) {
@@ -186,7 +174,7 @@ class RandomRuns : public testing::Test {
 
   RandomLines mistakes_of(const std::string& keys) const {
     const Study study = parse_study(random_head(keys), directory_ / "study.toml");
-    return lines_thrown([&] { check_runs(study, plan(study), test_vocabulary()); });
+    return complaints([&] { check_runs(study, plan(study), test_vocabulary()); });
   }
 
   std::filesystem::path directory_ = testing::TempDir();
@@ -233,7 +221,7 @@ TEST_F(RandomRuns, ConstantsOfAFitMustBeThoseOfTheBase) {
   write("3e-15");
   expect_only(mistakes_of(key), {"study.toml:4:1: random.keys[0]: ", "creep[0].A = 3e-15", "2e-15"});
   std::ofstream(directory_ / "scatter.toml") << "law = \"norton\"\n";
-  expect_only(lines_thrown([&] { parse_study(random_head(key), directory_ / "study.toml"); }),
+  expect_only(complaints([&] { parse_study(random_head(key), directory_ / "study.toml"); }),
               {"study.toml:6:7: random.keys[0].fit: ", "scatter.toml", "creepcontact fit"});
 }
 

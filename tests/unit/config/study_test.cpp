@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <sstream>
 
+#include "complaints.hpp"
 #include "config_fixture.hpp"
 #include "support/says.hpp"
 
@@ -19,18 +19,6 @@ const std::string compared = "[reference]\nset = { \"time.tolerance\" = 1e-8 }\n
 
 Study parsed(const std::string& text) {
   return parse_study(text, "studies/cost.toml");
-}
-
-template <class Action>
-Lines complaints(Action action) {
-  Lines lines;
-  try {
-    action();
-  } catch (const ConfigError& error) {
-    std::istringstream text(error.what());
-    for (std::string line; std::getline(text, line);) lines.push_back(line);
-  }
-  return lines;
 }
 
 void expect_begin(const std::string& line, std::initializer_list<std::string_view> facts) {
