@@ -13,7 +13,6 @@
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/base/thread_count.hpp"
 #include "creepcontact/config/reader.hpp"
-#include "creepcontact/platform/library_settings.hpp"
 #include "creepcontact/run/results_in_memory.hpp"
 #include "creepcontact/run/run.hpp"
 #include "creepcontact/run/vocabulary.hpp"
@@ -103,7 +102,5 @@ BENCHMARK(ensemble)->Args({0, 64, 16})->Args({0, 64, 1})->Args({1, 16, 16})->Uni
 }  // namespace creepcontact::test
 
 int main(int argc, char** argv) {
-  creepcontact::platform::set_libraries(argv);
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
+  creepcontact::test::run_benchmarks(argc, argv);
 }

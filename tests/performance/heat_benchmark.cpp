@@ -9,7 +9,6 @@
 #include "creepcontact/config/writer.hpp"
 #include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/model/model.hpp"
-#include "creepcontact/platform/library_settings.hpp"
 #include "creepcontact/run/run.hpp"
 #include "creepcontact/run/vocabulary.hpp"
 #include "performance/measuring.hpp"
@@ -49,9 +48,6 @@ BENCHMARK(heated_block)->ArgsProduct({{8, 14}, {1, 2}})->Unit(benchmark::kSecond
 }  // namespace
 }  // namespace creepcontact::test
 
-/// With the settings that the program makes for itself.
 int main(int argc, char** argv) {
-  creepcontact::platform::set_libraries(argv);
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
+  creepcontact::test::run_benchmarks(argc, argv);
 }

@@ -8,6 +8,8 @@
 #include <chrono>
 #include <vector>
 
+#include "creepcontact/platform/library_settings.hpp"
+
 namespace creepcontact::test {
 
 using Clock = std::chrono::steady_clock;
@@ -35,6 +37,13 @@ inline double bandwidth() {
       min_seconds(3, [&] { sum += Eigen::Map<const Eigen::VectorXd>(block.data(), block.size()).sum(); });
   benchmark::DoNotOptimize(sum);
   return 8.0 * static_cast<double>(block.size()) / seconds;
+}
+
+/// The rest of main(): with the settings that the program makes for itself.
+inline void run_benchmarks(int argc, char** argv) {
+  platform::set_libraries(argv);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
 }
 
 }  // namespace creepcontact::test

@@ -14,7 +14,6 @@
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/model/model.hpp"
-#include "creepcontact/platform/library_settings.hpp"
 #include "creepcontact/run/run.hpp"
 #include "creepcontact/run/vocabulary.hpp"
 #include "performance/measuring.hpp"
@@ -52,9 +51,10 @@ void ball_on_block(benchmark::State& state) {
   for ([[maybe_unused]] auto _ : state) {
     const io::Summary summary = run_once(size);
     const io::Summary::WallSeconds& seconds = summary.wall_seconds;
+    const auto of = [&](Part part) { return seconds.parts[static_cast<std::size_t>(part)]; };
     if (threads == 1) of_one_thread[size] = seconds.total;
     const auto solves = static_cast<double>(summary.elastic_solves);
-    const double integration = seconds.total - seconds.factorize;
+    const double integration = seconds.total - of(Part::factorize);
     double unknowns = 0, state_bytes = 0;
     for (const auto& [name, body] : summary.bodies) {
       unknowns += static_cast<double>(body.dofs);
@@ -62,12 +62,13 @@ void ball_on_block(benchmark::State& state) {
     }
     state.counters["unknowns"] = unknowns;
     state.counters["solves"] = solves;
-    state.counters["of_the_floor"] = seconds.total / (seconds.factorize + solves * reading);
-    state.counters["passes"] = seconds.solve / integration;
-    state.counters["points"] = seconds.material / integration;
-    state.counters["contact"] = seconds.contact / integration;
-    state.counters["results"] = seconds.output / integration;
-    state.counters["rest"] = 1 - (seconds.solve + seconds.material + seconds.contact + seconds.output) / integration;
+    state.counters["of_the_floor"] = seconds.total / (of(Part::factorize) + solves * reading);
+    state.counters["passes"] = of(Part::solve) / integration;
+    state.counters["points"] = of(Part::material) / integration;
+    state.counters["contact"] = of(Part::contact) / integration;
+    state.counters["results"] = of(Part::output) / integration;
+    state.counters["rest"] =
+        1 - (of(Part::solve) + of(Part::material) + of(Part::contact) + of(Part::output)) / integration;
     state.counters["memory"] = summary.peak_memory_mb * (1 << 20) / (factors + 14 * state_bytes);
     if (of_one_thread.contains(size)) state.counters["of_one_thread"] = seconds.total / of_one_thread[size];
   }
@@ -80,9 +81,6 @@ BENCHMARK(ball_on_block)
 }  // namespace
 }  // namespace creepcontact::test
 
-/// With the settings that the program makes for itself.
 int main(int argc, char** argv) {
-  creepcontact::platform::set_libraries(argv);
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
+  creepcontact::test::run_benchmarks(argc, argv);
 }
