@@ -160,20 +160,21 @@ const Evaluation& CreepSystem::evaluate_output(double t, std::span<const double>
   return output_;
 }
 
-double CreepSystem::rate_change(double from, std::span<const double> y, double t) {
-  const auto rate_of = [&](const Evaluation& at) {
-    std::vector<double> rate(size(), 0.0);
-    together(team(), [&] {
-      laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
-        points.rate(laws_.state(b, at, at.y), laws_.layout().part(b, std::span(rate)), {});
-      });
-      gaskets_->rate(at.equilibrium, at.y, rate);
-      if (heat_)
-        heat_->rates().rate(at.time, laws_.layout().temperatures(std::span(at.y)),
-                            joint_values(assembly(), at.equilibrium), laws_.layout().temperatures(std::span(rate)));
+std::vector<double> CreepSystem::rate_of(const Evaluation& at) const {
+  std::vector<double> rate(size(), 0.0);
+  together(team(), [&] {
+    laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
+      points.rate(laws_.state(b, at, at.y), laws_.layout().part(b, std::span(rate)), {});
     });
-    return rate;
-  };
+    gaskets_->rate(at.equilibrium, at.y, rate);
+    if (heat_)
+      heat_->rates().rate(at.time, laws_.layout().temperatures(std::span(at.y)),
+                          joint_values(assembly(), at.equilibrium), laws_.layout().temperatures(std::span(rate)));
+  });
+  return rate;
+}
+
+double CreepSystem::rate_change(double from, std::span<const double> y, double t) {
   const Evaluation& accepted = evaluate_accepted(from, y);
   const std::vector<double> here = rate_of(accepted), state = accepted.y;
   std::vector<double> there;

@@ -1,5 +1,6 @@
 /// The equilibrium linearised at fixed contact: products with the Jacobian.
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -101,6 +102,67 @@ Eigen::VectorXd EquilibriumSolver::linearized_elastic(const Equilibrium& at, Cre
     for (std::vector<double>& of_body : stress)
       for (double& component : of_body) component *= at.stiffness_scale;
   return at.stiffness_scale * multiplier;
+}
+
+bool EquilibriumSolver::is_piecewise_linear() const {
+  const bool yields = std::ranges::any_of(
+      assembly_.bodies(), [](const mechanics::Body& body) { return body.material().plasticity != nullptr; });
+  return !iterates() && !yields && !interface_.problem().has_friction() && !interface_.problem().has_gaskets();
+}
+
+std::vector<EquilibriumChange> EquilibriumSolver::changes(const Equilibrium& at, std::vector<EquationChange> of) {
+  std::vector<linalg::SeveralSubstitutions> passes;
+  for (std::size_t b = 0; b < work_.size(); ++b) {
+    passes.push_back({&interface_.factored(b).solver(), {}});
+    for (EquationChange& change : of) {
+      assembly_.bodies()[b].clear_fixing_dofs(change.forces[b]);
+      passes.back().vectors.push_back({change.forces[b], change.forces[b]});
+    }
+  }
+  {
+    const auto lap = watch_.lap(Part::solve);
+    linalg::pass_several(linalg::PassDirection::forward, passes);
+  }
+  std::vector<EquilibriumChange> result(of.size());
+  {
+    const auto lap = watch_.lap(Part::contact);
+    for (std::size_t k = 0; k < of.size(); ++k) {
+      contact::ContactLoad load{of[k].gap, assembly_.rigid_body_modes().held().transpose() * of[k].work};
+      for (std::size_t b = 0; b < work_.size(); ++b) interface_.flexibility().add_trace(b, of[k].forces[b], load.gap);
+      contact::ContactState change;
+      if (interface_.n_rows() > 0) change = active_set_.solve(at.contact.active, load).state;
+      for (std::size_t b = 0; b < work_.size(); ++b)
+        interface_.flexibility().add_multipliers(b, change.multiplier, of[k].forces[b]);
+      result[k].multiplier = std::move(change.multiplier);
+      result[k].rigid = std::move(change.rigid);
+    }
+  }
+  {
+    const auto lap = watch_.lap(Part::solve);
+    linalg::pass_several(linalg::PassDirection::backward, passes);
+  }
+  const auto lap = watch_.lap(Part::material);
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    EquilibriumChange& change = result[k];
+    change.displacement.resize(work_.size());
+    change.stress.resize(work_.size());
+    change.gap = of[k].gap;
+    if (change.rigid.size() > 0) change.gap += interface_.problem().rigid * change.rigid;
+    for (std::size_t b = 0; b < work_.size(); ++b) {
+      const mechanics::FactoredBody& factored = interface_.factored(b);
+      const mechanics::Body& body = factored.body();
+      interface_.rows().add_gaps(b, of[k].forces[b], change.gap);
+      change.displacement[b].resize(work_[b].no_displacement.size());
+      body.constraints().expand(of[k].forces[b], work_[b].no_displacement, change.displacement[b]);
+      interface_.rows().add_rigid_motion(b, change.rigid, change.displacement[b]);
+      change.stress[b].resize(6 * body.discretization().n_points());
+      body.discretization().stress(change.displacement[b], factored.elastic(),
+                                   of[k].strain[b], change.stress[b]);
+      if (!of[k].stress[b].empty()) vector(change.stress[b]) += vector(of[k].stress[b]);
+    }
+  }
+  counters_.elastic_solves += std::ssize(of);
+  return result;
 }
 
 }  // namespace creepcontact::creep

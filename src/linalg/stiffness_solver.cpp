@@ -31,4 +31,19 @@ void pass(PassDirection direction, std::span<const Substitution> of_bodies) {
   run(lists, pass_in_parallel_from);
 }
 
+void pass_several(PassDirection direction, std::span<const SeveralSubstitutions> of_bodies) {
+  std::vector<TaskList*> lists;
+  for (const SeveralSubstitutions& part : of_bodies) {
+    if (part.vectors.empty()) continue;
+    if (part.solver->shared_factor() != nullptr) {
+      lists.push_back(&part.solver->tasks_of_several(direction, part.vectors));
+      continue;
+    }
+    for (const PassVector& vector : part.vectors)
+      direction == PassDirection::forward ? part.solver->forward(vector.from, vector.into)
+                                          : part.solver->backward(vector.from, vector.into);
+  }
+  run(lists, pass_in_parallel_from);
+}
+
 }  // namespace creepcontact::linalg

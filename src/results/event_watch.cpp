@@ -16,9 +16,18 @@ bool EventWatch::is_waiting() const {
   return std::ranges::any_of(times_, [](const std::optional<double>& time) { return !time; });
 }
 
-bool EventWatch::holds(std::size_t event, Snapshot& snapshot) const {
-  const double value = conditions_[event].value(snapshot);
+namespace {
+bool is_true(double value) {
   return value != 0 && !std::isnan(value);
+}
+}  // namespace
+
+bool EventWatch::holds(std::size_t event, Snapshot& snapshot) const {
+  return is_true(conditions_[event].value(snapshot));
+}
+
+bool EventWatch::holds(std::size_t event, std::span<const double> probe_values, double time) const {
+  return is_true(conditions_[event].value(probe_values, time));
 }
 
 std::vector<std::size_t> EventWatch::holding(Snapshot& snapshot) const {

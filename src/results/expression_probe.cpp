@@ -43,6 +43,12 @@ double ProbeExpression::value(Snapshot& snapshot) const {
   return parsed_(values);
 }
 
+double ProbeExpression::value(std::span<const double> probe_values, double time) const {
+  std::vector<double> values(probe_values.begin(), probe_values.end());
+  values.push_back(time);
+  return parsed_(values);
+}
+
 std::unique_ptr<Probe> expression_probe(const config::Probe& probe, std::span<const config::Probe> probes,
                                         std::span<const std::unique_ptr<Probe>> all) {
   return std::make_unique<ExpressionProbe>(ProbeExpression(probe.expression.name, probes, all));

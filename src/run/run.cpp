@@ -297,17 +297,16 @@ Summary run(const config::Config& given, const RunOptions& options) {
     checkpoints.remove();
   }
   ObservedSystem observed(distribution, system, probes);
-  std::optional<Variants> variants;
-  std::optional<SensitiveSystem> with_derivatives;
   std::unique_ptr<ode::Integrator> integrator;
   SensitiveIntegrator* sensitive = nullptr;
+  const auto integrator_of = [&](ode::System& integrated) {
+    return make_integrator(config, model, system, integrated);
+  };
   if (changed.empty()) {
-    integrator = make_integrator(config, model, system, system);
+    integrator = integrator_of(system);
   } else {
-    variants.emplace(changed, system, *kept, passes_of_variants);
-    with_derivatives.emplace(*variants);
-    auto made = std::make_unique<SensitiveIntegrator>(make_integrator(config, model, system, *with_derivatives),
-                                                      *with_derivatives, *variants);
+    auto made = std::make_unique<SensitiveIntegrator>(
+        make_derivatives(changed, model, system, solver, *kept, passes_of_variants, watch), integrator_of);
     sensitive = made.get();
     integrator = std::move(made);
   }

@@ -120,6 +120,8 @@ class CreepSystem final : public ode::System,
   /// The evaluation at (t, y) for steps: reused if the last one was at the same point, else solved.
   /// @throws RecoverableError if no equilibrium is found
   const Evaluation& evaluate_step(double t, std::span<const double> y);
+  /// The rate in the state of an evaluation, which makes it no evaluation for steps. Cost: of the laws
+  std::vector<double> rate_of(const Evaluation& at) const;
   /// How much the rate would differ at another time in the state y that was accepted at `from`: the largest component
   /// over the error that a step may make in it [1/time]; infinity if there is no equilibrium. Collective.
   /// Cost: one elastic solve.

@@ -27,6 +27,7 @@
 #include "creepcontact/contact/solver/contact_solver.hpp"
 #include "creepcontact/creep/assembly.hpp"
 #include "creepcontact/creep/equilibrium.hpp"
+#include "creepcontact/creep/equilibrium_change.hpp"
 
 namespace creepcontact::creep {
 
@@ -81,6 +82,15 @@ class EquilibriumSolver {
   /// Cost: one forward and one back substitution per body; some more where points flow
   Eigen::VectorXd linearized(const Equilibrium& at, CreepStrains creep_change, std::vector<std::vector<double>>& stress,
                              Eigen::VectorXd* gap = nullptr);
+
+  /// Changes of an equilibrium for changes of its equations, to first order: its closed rows stay closed. All of them
+  /// share their passes. @param at  of a model that is_piecewise_linear()
+  /// @throws SolverError as ActiveSetSystem::solve()
+  /// Cost: a forward and a back substitution per body for all of them, and an element loop for each
+  std::vector<EquilibriumChange> changes(const Equilibrium& at, std::vector<EquationChange> of);
+  /// Whether an equilibrium depends on loads and strains alone, and is linear in them while its set of closed rows is
+  /// the same: no friction, no gaskets, no yielding, a direct solver, and a stiffness that is constant in time.
+  bool is_piecewise_linear() const;
 
   /// An empty history for this assembly, in which nothing yields.
   History new_history() const;

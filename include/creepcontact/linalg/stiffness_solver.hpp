@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "creepcontact/linalg/task_list.hpp"
 
@@ -100,6 +101,14 @@ inline void forward(std::span<const Substitution> of_bodies) {
 inline void backward(std::span<const Substitution> of_bodies) {
   pass(PassDirection::backward, of_bodies);
 }
+
+/// The same pass of one solver for several vectors.
+struct SeveralSubstitutions {
+  StiffnessSolver* solver;
+  std::vector<PassVector> vectors;
+};
+/// pass() with several vectors for each body; a factor is read once for all of them if it is a shared_factor().
+void pass_several(PassDirection direction, std::span<const SeveralSubstitutions> of_bodies);
 
 /// A matrix to be ordered and analysed.
 struct StiffnessToAnalyze {

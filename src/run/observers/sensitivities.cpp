@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <optional>
 
 #include "../sensitivity/sensitive_integrator.hpp"
@@ -20,18 +22,14 @@ class Sensitivities final : public Observer {
   explicit Sensitivities(const RunContext& context)
       : context_(context),
         integrator_(*context.sensitive),
-        variants_(integrator_.variants()),
+        of_(integrator_.of()),
         watch_(context.config, context.observed.probes()),
         changes_of_events_(context.config.events.size()),
-        has_warned_(variants_.n_values(), false) {
-    for (const auto& variant : variants_.all()) {
-      const ChangedValue& value = variants_.values()[variant->value()];
-      watches_.emplace_back(variant->sign() > 0 ? value.more : value.less, variant->probes());
-    }
+        has_warned_(of_.values().size(), false) {
     if (context.directory.empty()) return;
     std::vector<std::string> names;
     for (const config::Probe& probe : context.config.probes)
-      for (const ChangedValue& value : variants_.values())
+      for (const ChangedValue& value : of_.values())
         names.push_back(fmt::format("d_{}__{}", probe.name, value.key));
     file_.emplace(context.directory / "sensitivity.csv", names,
                   io::Continuation{.resume = context.resumed != nullptr, .last_time = context.begin},
@@ -42,10 +40,10 @@ class Sensitivities final : public Observer {
     differentiate(view);
     if (!file_ || (context_.resumed != nullptr && view.time() <= context_.begin)) return;
     std::vector<double> row;
-    row.reserve(context_.config.probes.size() * variants_.n_values());
+    row.reserve(context_.config.probes.size() * of_.values().size());
     for (std::size_t p = 0; p < context_.config.probes.size(); ++p)
-      for (std::size_t k = 0; k < variants_.n_values(); ++k)
-        row.push_back(derivatives_[k][p] / variants_.values()[k].change);
+      for (std::size_t k = 0; k < of_.values().size(); ++k)
+        row.push_back(derivatives_[k][p] / of_.values()[k].change);
     file_->write(view.time(), row);
   }
 
@@ -72,24 +70,20 @@ class Sensitivities final : public Observer {
   void save(creep::Memory& memory) const override {
     memory.save("sensitivity.state", integrator_.derivatives());
     memory.save("sensitivity.events", changes_of_events_);
-    for (const auto& variant : variants_.all()) {
-      creep::Memory own;
-      variant->save(own);
-      memory.add(name_of(*variant), std::move(own));
-    }
+    of_.save(memory);
   }
   void restore(const creep::Memory& memory) override {
     std::vector<double> derivatives;
     memory.restore("sensitivity.state", derivatives);
     integrator_.set_derivatives(derivatives);
     memory.restore("sensitivity.events", changes_of_events_);
-    for (const auto& variant : variants_.all()) variant->restore(memory.part(name_of(*variant)));
+    of_.restore(memory);
   }
 
   void finish(Summary& summary) const override {
     summary.results.sensitivities.clear();
-    for (std::size_t k = 0; k < variants_.n_values(); ++k) {
-      const ChangedValue& value = variants_.values()[k];
+    for (std::size_t k = 0; k < of_.values().size(); ++k) {
+      const ChangedValue& value = of_.values()[k];
       io::Summary::Sensitivity one{.key = value.key, .value = value.value, .change = value.change};
       for (std::size_t p = 0; p < context_.config.probes.size() && !derivatives_.empty(); ++p)
         one.probes[context_.config.probes[p].name] = derivatives_[k][p] / value.change;
@@ -101,97 +95,93 @@ class Sensitivities final : public Observer {
   }
 
  private:
-  static std::string name_of(const Variant& variant) {
-    return fmt::format("sensitivity.variant{}", Variants::index_of(variant));
-  }
-
   /// The derivatives of all probes in a state of the run.
   void differentiate(StepView& view) {
-    struct Values {
-      std::vector<double> probes;
-      std::vector<std::int64_t> closed;
-    };
-    std::vector<Values> values(variants_.all().size());
-    const std::vector<double> whole = integrator_.whole_at(view.time());
-    variants_.for_each(whole, [&](Variant& variant, std::span<const double> y) {
-      Values& own = values[Variants::index_of(variant)];
-      own.probes = variant.with_snapshot(view.time(), y, [&](results::Snapshot& snapshot) {
-        return results::probe_values(variant.probes(), snapshot);
-      });
-      const auto& active = variant.system().evaluate_output(view.time(), y).equilibrium.contact.active;
-      own.closed.assign(active.begin(), active.end());
-    });
-    derivatives_.assign(variants_.n_values(), {});
-    for (std::size_t k = 0; k < variants_.n_values(); ++k) {
-      const Values &more = values[2 * k], &less = values[2 * k + 1];
-      for (std::size_t p = 0; p < more.probes.size(); ++p)
-        derivatives_[k].push_back(Variants::derivative(more.probes[p], less.probes[p]));
-      if (more.closed == less.closed || has_warned_[k]) continue;
+    std::vector<Derivatives::OfProbes> found = of_.of_probes(view.time(), integrator_.whole_at(view.time()));
+    derivatives_.clear();
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      derivatives_.push_back(std::move(found[k].derivatives));
+      if (!found[k].is_one_sided || has_warned_[k]) continue;
       has_warned_[k] = true;
       log::warning(
           "sensitivity: at t = {:.6g} other nodes are in contact with a little more than with a little less of '{}': "
-          "where that is so, derivatives are means of two one-sided ones; it is not said again",
-          view.time(), variants_.values()[k].key);
+          "where that is so, derivatives are means of two one-sided ones, or one of them; it is not said again",
+          view.time(), of_.values()[k].key);
     }
   }
 
+  /// The probes of the run in a state of it.
+  std::vector<double> probes_at(double t, std::span<const double> y) const {
+    creep::CreepSystem& system = of_.base();
+    results::Snapshot snapshot(system, t, system.evaluate_output(t, y));
+    return results::probe_values(context_.observed.probes(), snapshot);
+  }
+
+  /// How fast the probes change in a state of the run, within a segment of smooth loads; empty: not known.
+  std::vector<double> rates_of_probes(double t, std::span<const double> y) const {
+    constexpr double part = 1e-3;  // of the step
+    creep::CreepSystem& system = of_.base();
+    const double dt = std::min({part * (integrator_.time() - integrator_.begin_of_step()),
+                                (t - system.begin_of_segment()) / 2, (system.end_of_segment() - t) / 2});
+    if (!(dt > 0)) return {};
+    const std::vector<double> rate = system.rate_of(system.evaluate_output(t, y));
+    const auto probes_after = [&](double duration) {
+      std::vector<double> there(y.begin(), y.end());
+      for (std::size_t i = 0; i < there.size(); ++i) there[i] += duration * rate[i];
+      return probes_at(t + duration, there);
+    };
+    std::vector<double> later = probes_after(dt);
+    const std::vector<double> earlier = probes_after(-dt);
+    for (std::size_t p = 0; p < later.size(); ++p) later[p] = (later[p] - earlier[p]) / (2 * dt);
+    return later;
+  }
+
   /// How the time of an event changes with each value; NaN: not known, because it happens at a jump of the loads.
-  /// @param time  of the event, within the last step
+  /// The probes are taken to be linear in the time and the value near the event: its condition then tells when it holds
+  /// with a little more and a little less of the value. @param time  of the event, within the last step
   std::vector<double> changes_of_event(std::size_t event, double time) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    const double first = integrator_.begin_of_step(), last = integrator_.time();
-    std::vector<double> changes(variants_.n_values(), unknown);
-    if (!(time > first)) return changes;
-    const std::size_t n = variants_.all().size();
-    constexpr double width = 0.02;  // of the step, about the time of the event
-    std::vector<double> before(n, std::max(first, time - width * (last - first))),
-        after(n, std::min(last, time + width * (last - first)));
-    const auto hold_at = [&](const std::vector<double>& times) {
-      std::vector<std::vector<double>> wholes(n);
-      std::vector<char> holds(n, 0);
-      variants_.for_each(
-          [&](const Variant& variant) {
-            const std::size_t v = Variants::index_of(variant);
-            wholes[v] = integrator_.whole_at(times[v]);
-            return std::span<const double>(wholes[v]);
-          },
-          [&](Variant& variant, std::span<const double> y) {
-            const std::size_t v = Variants::index_of(variant);
-            holds[v] = variant.with_snapshot(times[v], y, [&](results::Snapshot& snapshot) {
-              return static_cast<char>(watches_[v].holds(event, snapshot));
-            });
-          });
-      return holds;
-    };
-    const std::vector<char> held = hold_at(before), will_hold = hold_at(after);
-    constexpr double resolution = 1e-13;
-    while (true) {
-      bool is_done = true;
-      std::vector<double> middle(n);
-      for (std::size_t v = 0; v < n; ++v) {
-        middle[v] = before[v] + (after[v] - before[v]) / 2;
-        is_done = is_done && after[v] - before[v] <= resolution * after[v];
-      }
-      if (is_done) break;
-      const std::vector<char> holds = hold_at(middle);
-      for (std::size_t v = 0; v < n; ++v) (holds[v] ? after : before)[v] = middle[v];
-    }
-    const auto found = [&](std::size_t v) { return held[v] == 0 && will_hold[v] == 1; };
+    std::vector<double> changes(of_.values().size(), unknown);
+    if (!(time > integrator_.begin_of_step())) return changes;
+    const std::vector<double> whole = integrator_.whole_at(time);
+    const std::span<const double> y = of_.block(std::span<const double>(whole), 0);
+    const std::vector<double> rates = rates_of_probes(time, y);
+    if (rates.empty()) return changes;
+    const std::vector<double> probes = probes_at(time, y);
+    const std::vector<Derivatives::OfProbes> of_values = of_.of_probes(time, whole);
+    const double step = integrator_.time() - integrator_.begin_of_step();
     for (std::size_t k = 0; k < changes.size(); ++k) {
-      const std::size_t more = 2 * k, less = 2 * k + 1;
-      if (found(more) && found(less))
-        changes[k] = Variants::derivative(after[more], after[less]);
-      else if (found(more) || found(less))  // the other one lies beyond the step
-        changes[k] = (found(more) ? after[more] - time : time - after[less]) / relative_change;
+      const auto delay_with = [&](double change) {
+        return delay(step, [&](double later) {
+          std::vector<double> values(probes.size());
+          for (std::size_t p = 0; p < values.size(); ++p)
+            values[p] = probes[p] + later * rates[p] + change * of_values[k].derivatives[p];
+          return watch_.holds(event, values, time + later);
+        });
+      };
+      changes[k] = central_difference(delay_with(relative_change), delay_with(-relative_change));
     }
     return changes;
   }
 
+  /// When a condition begins to hold; NaN: not within `most` before and after. @param holds  at so much later
+  static double delay(double most, const std::function<bool(double later)>& holds) {
+    constexpr double first = 1e-12, growth = 8;
+    double reach = first * most;
+    while (reach <= most && (holds(-reach) || !holds(reach))) reach *= growth;
+    if (reach > most) return std::numeric_limits<double>::quiet_NaN();
+    double before = -reach, after = reach;
+    for (int halvings = 0; halvings < std::numeric_limits<double>::digits; ++halvings) {
+      const double middle = before + (after - before) / 2;
+      (holds(middle) ? after : before) = middle;
+    }
+    return after;
+  }
+
   const RunContext& context_;
   SensitiveIntegrator& integrator_;
-  Variants& variants_;
+  Derivatives& of_;
   results::EventWatch watch_;
-  std::vector<results::EventWatch> watches_;  // of the variants
   std::optional<io::HistoryWriter> file_;
   std::vector<std::vector<double>> derivatives_;        // by value, of the probes at the last output, per value/change
   std::vector<std::vector<double>> changes_of_events_;  // by event, of its time; empty: it has not happened

@@ -99,7 +99,9 @@ std::vector<ChangedValue> changed_values(const config::Config& config) {
       continue;
     }
     ChangedValue one{
-        .key = key, .value = *value, .change = wanted.changes.empty() ? std::abs(*value) : wanted.changes[k]};
+        .key = key,
+        .value = *value,
+        .change = wanted.changes.empty() ? std::abs(*value) : wanted.changes[k]};
     if (one.change == 0) {
       add_error(reference,
                 fmt::format("the value of '{}' is 0, which does not tell what a small change is; give typical "

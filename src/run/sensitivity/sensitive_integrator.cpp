@@ -10,19 +10,19 @@ const std::string vectors_name = "vectors";
 
 }  // namespace
 
-SensitiveIntegrator::SensitiveIntegrator(std::unique_ptr<ode::Integrator> inner, SensitiveSystem& system,
-                                         Variants& variants)
-    : inner_(std::move(inner)),
-      system_(system),
-      variants_(variants),
-      n_(variants.base().size()),
-      whole_((variants.n_values() + 1) * n_, 0.0) {}
+SensitiveIntegrator::SensitiveIntegrator(
+    std::unique_ptr<Derivatives> derivatives,
+    const std::function<std::unique_ptr<ode::Integrator>(ode::System&)>& make_inner)
+    : of_(std::move(derivatives)),
+      system_(*of_),
+      inner_(make_inner(system_)),
+      n_(of_->base().size()),
+      whole_(of_->size(), 0.0) {}
 
 void SensitiveIntegrator::initialize(double t, std::span<const double> y, double step) {
   if (has_stepped_) whole_ = whole_at(t);
   std::ranges::copy(y, whole_.begin());
-  // The variants pass the breakpoint with the state that they have before it.
-  variants_.for_each(whole_, [](Variant&, std::span<const double>) {});
+  of_->pass_breakpoint(t, whole_);
   system_.set_scale(whole_);
   inner_->initialize(t, whole_, step);
   whole_.assign(inner_->state().begin(), inner_->state().end());
@@ -34,11 +34,7 @@ ode::StepReport SensitiveIntegrator::step(double t_limit) {
   begin_ = inner_->time();
   const ode::StepReport report = inner_->step(t_limit);
   has_stepped_ = true;
-  if (n_ == 0)  // the path of loads alone, which the variants follow too
-    variants_.for_each(whole_, [&](Variant& variant, std::span<const double> y) {
-      variant.system().evaluate_step(report.time, y);
-      variant.system().accept(report.time, y);
-    });
+  if (n_ == 0) of_->follow_loads(report.time);
   return report;
 }
 
@@ -81,7 +77,7 @@ void SensitiveIntegrator::restore(const ode::RestartPoint& point) {
   whole.states = point.memory.part(vectors_name);
   system_.set_scale(whole_);
   inner_->restore(whole);
-  variants_.for_each(whole_, [&](Variant& variant, std::span<const double> y) { variant.resume(point.time, y); });
+  of_->resume(point.time, whole_);
 }
 
 }  // namespace creepcontact::run

@@ -1,6 +1,7 @@
 #pragma once
 /// The integrator of a run with derivatives: the loop sees the state of the run alone.
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -11,9 +12,9 @@ namespace creepcontact::run {
 
 class SensitiveIntegrator final : public ode::Integrator {
  public:
-  /// @param inner  of the system, or, if that has no state, of the run alone
-  /// @param system, variants  must outlive the object
-  SensitiveIntegrator(std::unique_ptr<ode::Integrator> inner, SensitiveSystem& system, Variants& variants);
+  /// @param make_inner  the integrator of a system
+  SensitiveIntegrator(std::unique_ptr<Derivatives> derivatives,
+                      const std::function<std::unique_ptr<ode::Integrator>(ode::System&)>& make_inner);
 
   std::string name() const override { return inner_->name(); }
   std::string method() const override { return inner_->method(); }
@@ -32,19 +33,19 @@ class SensitiveIntegrator final : public ode::Integrator {
   void restore(const ode::RestartPoint& point) override;
   Counters counters() const override { return inner_->counters(); }
 
-  Variants& variants() { return variants_; }
-  /// State and derivatives, see SensitiveSystem. @param t  within the last step
+  Derivatives& of() { return *of_; }
+  /// State and derivatives, see Derivatives. @param t  within the last step
   std::vector<double> whole_at(double t) const;
-  /// The derivatives at the end of the last step, see SensitiveSystem; and those from which to go on.
+  /// The derivatives at the end of the last step, see Derivatives; and those from which to go on.
   std::vector<double> derivatives() const;
   void set_derivatives(std::span<const double> derivatives);
   /// The beginning of the last step.
   double begin_of_step() const { return begin_; }
 
  private:
+  std::unique_ptr<Derivatives> of_;
+  SensitiveSystem system_;
   std::unique_ptr<ode::Integrator> inner_;
-  SensitiveSystem& system_;
-  Variants& variants_;
   std::size_t n_;
   std::vector<double> whole_;  // before the first step, and at the last restart
   bool has_stepped_ = false;   // since then

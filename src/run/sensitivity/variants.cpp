@@ -49,7 +49,7 @@ void Variant::resume(double t, std::span<const double> y) {
 
 Variants::Variants(const std::vector<ChangedValue>& values, creep::CreepSystem& base, Kept& kept,
                    linalg::GatheredPasses& passes)
-    : values_(values), base_(base), passes_(passes), variants_(2 * values.size()), states_(2 * values.size()) {
+    : base_(base), passes_(passes), variants_(2 * values.size()), states_(2 * values.size()) {
   // What a variant has to say the run has said already.
   const auto silent = std::make_shared<const log::Sink>([](log::Level, std::string_view) {});
   std::vector<std::function<void()>> jobs;
@@ -59,22 +59,11 @@ Variants::Variants(const std::vector<ChangedValue>& values, creep::CreepSystem& 
       const ChangedValue& value = values[v / 2];
       const bool more = v % 2 == 0;
       variants_[v] = std::make_unique<Variant>(more ? value.more : value.less, more ? 1 : -1, v / 2, kept, passes);
-      if (variants_[v]->system().size() != base.size())
-        throw ConfigError(
-            fmt::format("sensitivity.keys: the model has other unknowns with another '{}'; allowed: keys that "
-                        "change neither mesh nor laws",
-                        value.key));
     });
   passes_.run(jobs, most_at_once);
 }
 
 void Variants::for_each(std::span<const double> whole,
-                        const std::function<void(Variant&, std::span<const double> y)>& f,
-                        const std::function<void()>& of_base) {
-  for_each([whole](const Variant&) { return whole; }, f, of_base);
-}
-
-void Variants::for_each(const std::function<std::span<const double>(const Variant&)>& whole_of,
                         const std::function<void(Variant&, std::span<const double> y)>& f,
                         const std::function<void()>& of_base) {
   const std::size_t n = base_.size();
@@ -83,7 +72,7 @@ void Variants::for_each(const std::function<std::span<const double>(const Varian
   if (of_base) jobs.push_back(of_base);
   for (std::size_t v = 0; v < variants_.size(); ++v) {
     Variant& variant = *variants_[v];
-    const std::span<const double> whole = whole_of(variant), derivative = whole.subspan((variant.value() + 1) * n, n);
+    const std::span<const double> derivative = whole.subspan((variant.value() + 1) * n, n);
     const double change = variant.sign() * relative_change;
     std::vector<double>& y = states_[v];
     y.resize(n);

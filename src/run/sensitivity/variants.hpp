@@ -26,6 +26,7 @@ class Variant {
 
   double sign() const { return sign_; }         ///< 1: more, -1: less
   std::size_t value() const { return value_; }  ///< number of the changed value
+  const model::Model& model() const { return model_; }
   creep::CreepSystem& system() { return system_; }
   std::span<const std::unique_ptr<results::Probe>> probes() const { return probes_; }
 
@@ -60,12 +61,10 @@ class Variant {
 class Variants {
  public:
   /// @param base, kept  of the run; they and `values` must outlive the object
-  /// @throws ModelError if a variant has other unknowns than the run
+  /// @throws as Variant
   Variants(const std::vector<ChangedValue>& values, creep::CreepSystem& base, Kept& kept,
            linalg::GatheredPasses& passes);
 
-  std::size_t n_values() const { return values_.size(); }
-  const std::vector<ChangedValue>& values() const { return values_; }
   creep::CreepSystem& base() { return base_; }
 
   std::span<const std::unique_ptr<Variant>> all() const { return variants_; }
@@ -76,17 +75,10 @@ class Variants {
   /// @throws what the first of the calls that failed has thrown
   void for_each(std::span<const double> whole, const std::function<void(Variant&, std::span<const double> y)>& f,
                 const std::function<void()>& of_base = {});
-  /// for_each() with a state for each variant. @param whole_of  called in turn
-  void for_each(const std::function<std::span<const double>(const Variant&)>& whole_of,
-                const std::function<void(Variant&, std::span<const double> y)>& f,
-                const std::function<void()>& of_base = {});
-  /// The derivative with respect to value/change, from the results of the variants with more and less.
-  static double derivative(double more, double less) { return (more - less) / (2 * relative_change); }
   /// Its number in all(): the variant with more of value k is 2 k, that with less 2 k + 1.
   static std::size_t index_of(const Variant& variant) { return 2 * variant.value() + (variant.sign() > 0 ? 0 : 1); }
 
  private:
-  const std::vector<ChangedValue>& values_;
   creep::CreepSystem& base_;
   linalg::GatheredPasses& passes_;
   std::vector<std::unique_ptr<Variant>> variants_;

@@ -1,0 +1,250 @@
+#include "linear_derivatives.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "creepcontact/linalg/dense.hpp"
+#include "creepcontact/numerics/long_vectors.hpp"
+
+namespace creepcontact::run {
+namespace {
+
+constexpr double rounding = 1e-12;  // of the largest gap or pressure
+
+Eigen::VectorXd central_difference(const Eigen::VectorXd& more, const Eigen::VectorXd& less) {
+  return (more - less) / (2 * relative_change);
+}
+/// more = central difference
+void replace_by_difference(std::vector<double>& more, std::span<const double> less) {
+  numerics::for_each_piece(more.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) more[i] = run::central_difference(more[i], less[i]);
+  });
+}
+
+/// into += central difference
+void add_difference(std::span<const double> more, std::span<const double> less, std::span<double> into) {
+  numerics::for_each_piece(into.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) into[i] += run::central_difference(more[i], less[i]);
+  });
+}
+/// forces += the difference of the external forces on the free unknowns.
+void add_difference_of_loads(const mechanics::BodyConditions& more, const mechanics::BodyConditions& less,
+                             const mechanics::Body& body, std::vector<double>& forces) {
+  const std::span<const double> of_more = more.external_forces(), of_less = less.external_forces();
+  if (std::ranges::equal(of_more, of_less)) return;
+  std::vector<double> change(of_more.begin(), of_more.end()), free(forces.size());
+  replace_by_difference(change, of_less);
+  body.constraints().restrict_to_free(change, free);
+  for (std::size_t i = 0; i < forces.size(); ++i) forces[i] += free[i];
+}
+
+}  // namespace
+
+bool LinearDerivatives::suit(const creep::EquilibriumSolver& solver) {
+  const creep::Assembly& assembly = solver.assembly();
+  return solver.is_piecewise_linear() && assembly.heat() == nullptr &&
+         std::ranges::none_of(assembly.pairs(), [](const contact::Pair& pair) { return pair.is_relative; });
+}
+
+LinearDerivatives::LinearDerivatives(const std::vector<ChangedValue>& values, creep::CreepSystem& system,
+                                     creep::EquilibriumSolver& solver, std::vector<std::unique_ptr<NearbyModel>> models,
+                                     Stopwatch& watch)
+    : Derivatives(values, system),
+      solver_(solver),
+      watch_(watch),
+      models_(std::move(models)),
+      interference_(values.size(), std::vector<double>(solver.assembly().pairs().size(), 0.0)) {}
+
+Eigen::VectorXd LinearDerivatives::gap_of(const contact::Pair& pair) const {
+  Eigen::VectorXd gap = Eigen::VectorXd::Zero(solver_.interface().n_rows());
+  gap.segment(pair.first_row, pair.coupling.n_rows()) = pair.interference_gap();
+  return gap;
+}
+
+creep::EquationChange LinearDerivatives::equations(std::size_t k, const creep::Evaluation& at,
+                                                   std::span<const double> state_change) {
+  const auto lap = watch_.lap(Part::material);
+  NearbyModel &with_more = more(k), &with_less = less(k);
+  with_more.set_time(at);
+  with_less.set_time(at);
+  creep::EquationChange change;
+  const contact::InterfaceLoad load = with_more.load(), opposite = with_less.load();
+  change.gap = central_difference(load.gap, opposite.gap);
+  change.work = central_difference(load.work, opposite.work);
+  base().layout().views(state_change, change.strain);
+  change.stress.resize(change.strain.size());
+  for (std::size_t b = 0; b < change.strain.size(); ++b) {
+    const mechanics::FactoredBody& factored = solver_.interface().factored(b);
+    const mechanics::Body& body = factored.body();
+    std::vector<double>& forces =
+        change.forces.emplace_back(static_cast<std::size_t>(body.constraints().n_free()), 0.0);
+    if (with_more.stresses_differ(b, at) || with_less.stresses_differ(b, at)) {
+      change.stress[b] = with_more.stress(b, at, change.strain[b]);
+      replace_by_difference(change.stress[b], with_less.stress(b, at, change.strain[b]));
+      change.strain[b] = {};
+      body.residual({}, change.stress[b], forces);
+    } else if (!change.strain[b].empty()) {
+      body.initial_strain_force(factored.elastic(), change.strain[b], forces);
+    }
+    add_difference_of_loads(with_more.conditions(b), with_less.conditions(b), body, forces);
+  }
+  for (std::size_t p = 0; p < interference_[k].size(); ++p) {
+    if (interference_[k][p] != 0) change.gap += interference_[k][p] * gap_of(solver_.assembly().pairs()[p]);
+  }
+  return change;
+}
+
+std::vector<creep::EquilibriumChange> LinearDerivatives::respond(const creep::Evaluation& at,
+                                                                 std::span<const double> whole) {
+  std::vector<creep::EquationChange> changes;
+  for (std::size_t k = 0; k < values().size(); ++k) changes.push_back(equations(k, at, block(whole, k + 1)));
+  return solver_.changes(at.equilibrium, std::move(changes));
+}
+
+bool LinearDerivatives::laws_differ(std::size_t k, std::size_t body) const {
+  // Constants that are no parameters at points, and axes of the material, show in the key alone.
+  const std::string &key = values()[k].key, &material = solver_.assembly().bodies()[body].material().name;
+  if (key.starts_with("bodies.") || key.starts_with(fmt::format("materials.{}.", material))) return true;
+  if (key.starts_with("materials.\"")) return true;  // a name in quotes
+  const creep::LawParameters &with_more = more(k).law_parameters(body), &with_less = less(k).law_parameters(body);
+  return with_more.values != with_less.values || with_more.temperature != with_less.temperature;
+}
+
+void LinearDerivatives::rate(double t, std::span<const double> whole, std::span<double> rate) {
+  base().rate(t, block(whole, 0), block(rate, 0));
+  const creep::Evaluation& at = base().evaluate_step(t, block(whole, 0));
+  const std::vector<creep::EquilibriumChange> changes = respond(at, whole);
+  const auto lap = watch_.lap(Part::material);
+  const creep::BodyLaws& laws = base().laws();
+  std::vector<double> with_more, with_less;
+  for (std::size_t k = 0; k < values().size(); ++k)
+    laws.for_each_creeping([&](std::size_t b, const creep::MaterialPoints& points) {
+      const std::span<double> into = laws.layout().part(b, block(rate, k + 1));
+      points.derivative(laws.state(b, at, at.y),
+                        {changes[k].stress[b], laws.layout().part(b, block(whole, k + 1))}, into);
+      if (!laws_differ(k, b)) return;
+      with_more.resize(into.size());
+      with_less.resize(into.size());
+      more(k).rate(b, at, with_more);
+      less(k).rate(b, at, with_less);
+      add_difference(with_more, with_less, into);
+    });
+}
+
+void LinearDerivatives::start_increment(double t, std::span<const double> whole, double stress_time, double duration,
+                                        std::span<double> change) {
+  base().start_increment(t, block(whole, 0), stress_time, duration, block(change, 0));
+  const creep::Evaluation& at = base().evaluate_step(stress_time, block(whole, 0));
+  const std::vector<creep::EquilibriumChange> changes = respond(at, whole);
+  std::vector<double> with_more(base().size()), with_less(base().size());
+  for (std::size_t k = 0; k < values().size(); ++k) {
+    const auto increments = [&](NearbyModel& model, std::vector<double>& into) {
+      std::ranges::fill(into, 0.0);
+      model.place(at, changes[k], block(whole, k + 1));
+      model.laws().for_each_creeping([&](std::size_t b, const creep::MaterialPoints& points) {
+        points.add_increment(t, duration, model.points(b), base().layout().part(b, std::span(into)));
+      });
+    };
+    increments(more(k), with_more);
+    increments(less(k), with_less);
+    add_difference(with_more, with_less, block(change, k + 1));
+  }
+}
+
+void LinearDerivatives::jacobian_times(double t, std::span<const double> whole, std::span<const double> v,
+                                       std::span<double> product) {
+  for (std::size_t i = 0; i < n_blocks(); ++i)
+    base().jacobian_times(t, block(whole, 0), block(v, i), block(product, i));
+}
+
+/// The interferences of preloads follow so that the forces have their derivatives.
+void LinearDerivatives::pass_breakpoint(double t, std::span<const double> whole) {
+  std::vector<std::size_t> due;
+  const std::vector<contact::Pair>& pairs = solver_.assembly().pairs();
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    if (const auto& preload = pairs[p].preload; preload && preload->time > preloaded_until_ && preload->time <= t)
+      due.push_back(p);
+  preloaded_until_ = t;
+  if (due.empty()) return;
+  const auto n = static_cast<Index>(due.size()), n_values = static_cast<Index>(values().size());
+  const creep::Evaluation& at = base().evaluate_output(t, block(whole, 0));
+  std::vector<creep::EquationChange> equations_of;
+  for (std::size_t k = 0; k < values().size(); ++k) equations_of.push_back(equations(k, at, block(whole, k + 1)));
+  Eigen::MatrixXd gaps(solver_.interface().n_rows(), n);
+  for (Index q = 0; q < n; ++q) {
+    creep::EquationChange& change = equations_of.emplace_back();
+    gaps.col(q) = gap_of(pairs[due[static_cast<std::size_t>(q)]]);
+    change.gap = gaps.col(q);
+    change.work.setZero(static_cast<Index>(solver_.assembly().rigid_body_modes().size()));
+    for (const mechanics::Body& body : solver_.assembly().bodies())
+      change.forces.emplace_back(static_cast<std::size_t>(body.constraints().n_free()), 0.0);
+    change.stress.resize(change.forces.size());
+    change.strain.resize(change.forces.size());
+  }
+  const std::vector<creep::EquilibriumChange> changes = solver_.changes(at.equilibrium, std::move(equations_of));
+  Eigen::MatrixXd forces(n, n_values), missing(n, n_values), stiffness(n, n);
+  for (Index k = 0; k < n_values; ++k) {
+    const auto number = static_cast<std::size_t>(k);
+    forces.col(k) = -gaps.transpose() * changes[number].multiplier;
+    for (Index q = 0; q < n; ++q) {
+      const std::size_t p = due[static_cast<std::size_t>(q)];
+      missing(q, k) = run::central_difference(more(number).model().pairs()[p].preload->force,
+                                              less(number).model().pairs()[p].preload->force) -
+                      forces(q, k);
+    }
+  }
+  for (Index q = 0; q < n; ++q)
+    stiffness.col(q) = -gaps.transpose() * changes[static_cast<std::size_t>(n_values + q)].multiplier;
+  const Eigen::MatrixXd found = linalg::least_squares(stiffness, missing);
+  for (Index k = 0; k < n_values; ++k)
+    for (Index q = 0; q < n; ++q)
+      interference_[static_cast<std::size_t>(k)][due[static_cast<std::size_t>(q)]] += found(q, k);
+}
+
+bool LinearDerivatives::opens_or_closes(const creep::Equilibrium& at, const creep::EquilibriumChange& change) const {
+  const contact::ContactProblem& problem = solver_.interface().problem();
+  const std::vector<int>& immovable = solver_.interface().flexibility().immovable();
+  if (problem.n_rows() == 0) return false;
+  const double pressure = rounding * at.contact.multiplier.cwiseAbs().maxCoeff(),
+               width = rounding * at.gaps.cwiseAbs().maxCoeff();
+  return std::ranges::any_of(problem.nodes, [&](const contact::ContactNode& node) {
+    const int row = node.first_row;
+    if (node.set == contact::AdmissibleSet::space || std::ranges::binary_search(immovable, row)) return false;
+    const bool is_closed = std::ranges::binary_search(at.contact.active, row);
+    const double value = is_closed ? at.contact.multiplier[row] : at.gaps[row],
+                 slope = is_closed ? change.multiplier[row] : change.gap[row];
+    return relative_change * std::abs(slope) > std::max(value, 0.0) + (is_closed ? pressure : width);
+  });
+}
+
+std::vector<Derivatives::OfProbes> LinearDerivatives::of_probes(double t, std::span<const double> whole) {
+  const creep::Evaluation& at = base().evaluate_output(t, block(whole, 0));
+  const std::vector<creep::EquilibriumChange> changes = respond(at, whole);
+  std::vector<OfProbes> result(values().size());
+  for (std::size_t k = 0; k < values().size(); ++k) {
+    const auto values_of = [&](NearbyModel& model) {
+      results::Snapshot snapshot(model.laws(), solver_.interface(), t,
+                                 model.place_results(at, changes[k], block(whole, k + 1)));
+      return results::probe_values(model.probes(), snapshot);
+    };
+    const std::vector<double> with_more = values_of(more(k)), with_less = values_of(less(k));
+    for (std::size_t p = 0; p < with_more.size(); ++p)
+      result[k].derivatives.push_back(run::central_difference(with_more[p], with_less[p]));
+    result[k].is_one_sided = opens_or_closes(at.equilibrium, changes[k]);
+  }
+  return result;
+}
+
+void LinearDerivatives::save(creep::Memory& memory) const {
+  memory.save("sensitivity.interference", interference_);
+  memory.save("sensitivity.preloaded_until", preloaded_until_);
+}
+
+void LinearDerivatives::restore(const creep::Memory& memory) {
+  memory.restore("sensitivity.interference", interference_);
+  memory.restore("sensitivity.preloaded_until", preloaded_until_);
+}
+
+}  // namespace creepcontact::run
