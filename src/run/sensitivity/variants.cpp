@@ -29,12 +29,12 @@ Variant::Variant(const config::Config& config, double sign, std::size_t value, K
       system_(make_system(config, model_, solver_, watch_)) {}
 
 void Variant::follow_segment(double begin, double end, std::span<const double> y) {
-  if (begin == begin_ && end == end_) return;
-  const bool is_first = begin_ < 0, is_new = begin != begin_;
-  begin_ = begin;
-  end_ = end;
+  const std::pair segment(begin, end);
+  if (segment_ == segment) return;
+  const bool passes = segment_ && segment_->first != begin;
+  segment_ = segment;
   system_.begin_segment(begin, end);
-  if (is_new && !is_first) system_.pass_breakpoint(begin, y);
+  if (passes) system_.pass_breakpoint(begin, y);
 }
 
 void Variant::restore(creep::Memory memory) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "changed_values.hpp"
@@ -54,7 +55,7 @@ class Variant {
   creep::Distribution distribution_;
   creep::EquilibriumSolver solver_;
   creep::CreepSystem system_;
-  double begin_ = -1, end_ = -1;  // of the segment
+  std::optional<std::pair<double, double>> segment_;
   std::optional<creep::Memory> restored_;
 };
 
