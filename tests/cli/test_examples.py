@@ -148,6 +148,80 @@ class CasingFlange(ExampleTest):
         return (math.sqrt((300 + 60 + 25)**2 - (160 + 25 - 4)**2) - 300) * 70
 
 
+class BoltInputs(ExampleTest):
+    """Derivatives of a bolt that relaxes by Norton's law, and of the time at which half of its force is lost."""
+
+    PRELOAD, A, N = "contacts[0].preload.force", "materials.bolt_steel.creep[0].A", "materials.bolt_steel.creep[0].n"
+    BOLT, SLEEVE = "materials.bolt_steel.young_modulus", "materials.sleeve_steel.young_modulus"
+    VALUES = {PRELOAD: 39e3, A: 9.1e-26, N: 8, BOLT: 175e3, SLEEVE: 175e3}
+
+    def test_derivatives_are_those_by_hand(self):
+        history = self.history("bolt_inputs.toml", {"time.end": "1e5", "time.output": "[1, 100, 1000, 1e4]"})
+        derivatives = self.table("sensitivity.csv")
+        self.assertEqual([row["time"] for row in derivatives], [row["time"] for row in history])
+        relative = [{key: row[f"d_bolt_force__{key}"] * value / of["bolt_force"] for key, value in self.VALUES.items()}
+                    for row, of in zip(derivatives, history)]
+        self.expect_close(relative[0][self.PRELOAD], 1, 1e-9)
+        for found in relative[1:]:  # the force depends on A*E*t
+            self.expect_close(found[self.BOLT] + found[self.SLEEVE], found[self.A], 2e-3)
+        last, force = relative[-1], history[-1]["bolt_force"]
+        stress, first = force / (math.pi * 7.05**2), 39e3 / (math.pi * 7.05**2)
+        kept = (stress / first)**7
+        self.expect_close(force, 16.2e3, 0.01)
+        self.assertLess(last[self.PRELOAD], 2 * kept)
+        self.expect_close(last[self.A], -(1 - kept) / 7, 5e-3)
+        self.expect_close(last[self.N] / 8, -(math.log(stress) + (1 - kept) / 7 - kept * math.log(first)) / 7, 5e-3)
+
+    def test_the_time_of_the_event_is_inverse_to_the_rate(self):
+        self.history("bolt_inputs.toml", {"time.end": "1e5", "time.output": "[]"})
+        summary = self.summary()
+        time = summary["events"]["half_of_the_force"]
+        found = {key: summary["sensitivity"][key]["events"]["half_of_the_force"] * value / time
+                 for key, value in self.VALUES.items()}
+        self.expect_close(found[self.A], -1, 1e-3)
+        self.expect_close(found[self.BOLT] + found[self.SLEEVE], -1, 1e-3)
+        kept = 0.5**7
+        self.assertTrue(7 * kept < found[self.PRELOAD] < 14 * kept / (1 - kept), found[self.PRELOAD])
+
+
+class ScatterStudies(RunTest):
+    """studies/bolt_scatter and studies/fit_tolerances with few samples on coarse meshes."""
+
+    def quantiles(self, name, samples, **parameters):
+        text = (CONFIGS.parent / "studies" / name / "study.toml").read_text(encoding="utf-8")
+        coarse = "".join(f"mesh.parameters.{key} = {value}\n" for key, value in parameters.items())
+        for old, new in (('"../../configs/', f'"{CONFIGS}/'), ("samples = 64", f"samples = {samples}"),
+                         ("[set]\n", "[set]\n" + coarse)):
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        study = self.directory / f"{name}.toml"
+        study.write_text(text, encoding="utf-8")
+        done = subprocess.run([PROGRAM, "study", str(study), "--output", str(self.output)], cwd=self.directory, capture_output=True,
+                              text=True, timeout=LONGEST)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(f"{samples} of {samples} runs succeeded", done.stdout)
+        with open(self.output / "quantiles.csv", newline="") as file:
+            rows = [{key: float(value) for key, value in row.items() if value} for row in csv.DictReader(file)]
+        return rows[0], rows[-1]
+
+    def shares(self, result):
+        with open(self.output / "sobol_indices.csv", newline="") as file:
+            return next(row for row in csv.DictReader(file) if row["result"] == result)
+
+    def test_the_steel_of_the_bolts_decides(self):
+        first, last = self.quantiles("bolt_scatter", 16, **EveryExample.COARSE["bolted_flange"])
+        self.assertGreater(first["head_force_q50"], 2 * last["head_force_q50"])
+        for row in (first, last):
+            quantiles = [row[f"head_force_q{percent}"] for percent in ("05", "50", "95")]
+            self.assertEqual(quantiles, sorted(quantiles))
+        self.assertGreater(float(self.shares("head_force_end")["materials.bolt_steel.creep[0].A"]), 0.7)
+
+    def test_tolerances_are_forgotten(self):
+        first, last = self.quantiles("fit_tolerances", 8, **EveryExample.COARSE["shrink_fit_section"])
+        widths = [row["fit_pressure_q95"] - row["fit_pressure_q05"] for row in (first, last)]
+        self.assertLess(widths[1], 0.5 * widths[0])
+
+
 class PressFitTorque(ExampleTest):
     COARSE = dict(around_shaft=12, around_hub=12, n_length=2, n_hub=2)
 
