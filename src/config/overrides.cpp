@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "creepcontact/config/dotted_key.hpp"
 #include "item.hpp"
 #include "key_length.hpp"
 
@@ -24,7 +25,7 @@ class Override {
       errors_.add(where_, "no '='", "key.path=value");
       return;
     }
-    const std::string key = indices_as_keys(text.substr(0, equals));
+    const std::string key = with_dots(text.substr(0, equals));
     if (find_long_key(key + '=' + text.substr(equals + 1))) {
       errors_.add(where_, long_key_mistake);
       return;
@@ -41,21 +42,6 @@ class Override {
   }
 
  private:
-  /// contacts[0].gap, as messages write it, to contacts.0.gap
-  static std::string indices_as_keys(const std::string& key) {
-    std::string dotted;
-    bool quoted = false;
-    for (const char letter : key) {
-      quoted ^= letter == '"';
-      if (quoted || (letter != '[' && letter != ']')) {
-        dotted += letter;
-      } else if (letter == '[') {
-        dotted += '.';
-      }
-    }
-    return dotted;
-  }
-
   static bool is_key(const std::string& key) {
     try {
       return toml::parse(key + " = 0").size() == 1;

@@ -8,15 +8,6 @@
 
 namespace creepcontact::config {
 
-std::string with_dots(const std::string& key) {
-  std::string dotted;
-  for (const char letter : key) {
-    if (letter == '[') dotted += '.';
-    if (letter != '[' && letter != ']' && letter != ' ') dotted += letter;
-  }
-  return dotted;
-}
-
 std::vector<double> scores_of(const Random& random) {
   std::vector<double> scores = statistics::normal_points(random.method, static_cast<std::uint64_t>(random.seed),
                                                          random.n_samples(), random.keys.size());

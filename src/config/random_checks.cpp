@@ -107,7 +107,8 @@ void check_random_keys(const Study& study, const std::vector<Setting>& settings,
         read(study.base, vocabulary, overrides(study, own));
       } catch (const ConfigError& error) {
         for (const std::string& line : lines_about(error.what(), own[settings.size() + k]))
-          errors.add(key.key.location, line + ". " + advice_for(key, side, end));
+          errors.add(key.key.location,
+                     line.find("unknown key") != std::string::npos ? line : line + ". " + advice_for(key, side, end));
         break;  // one side is enough to act on
       }
     }

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "creepcontact/config/dotted_key.hpp"
 #include "fitted_scatter.hpp"
 #include "table.hpp"
 
@@ -321,10 +322,11 @@ Value<Random> random_table() {
           random.correlations.insert(random.correlations.end(), entry.correlations.begin(), entry.correlations.end());
         }
         if (!item.has("keys")) context.errors.add(item.location, "nothing is distributed", "[[random.keys]]");
-        if (random.quantiles.empty() ||
-            std::ranges::adjacent_find(random.quantiles, std::greater_equal()) != random.quantiles.end())
+        if (random.quantiles.empty())
+          context.errors.add(item.child("quantiles").location, "an empty list", "ascending probabilities, at least one");
+        if (std::ranges::adjacent_find(random.quantiles, std::greater_equal()) != random.quantiles.end())
           context.errors.add(item.child("quantiles").location, fmt::format("{}", fmt::join(random.quantiles, ", ")),
-                             "ascending probabilities, at least one");
+                             "ascending probabilities");
         return random;
       },
       [](const Random&) { return GivenRandom(); });
@@ -339,6 +341,10 @@ void check_random(Study& study, Diagnostics& errors) {
       errors.add(key->key.location, fmt::format("'{}': every sample would be a mesh of its own", key->key.name),
                  "keys outside [mesh]; give meshes apart as runs with [[axes]], whose combinations all get the same "
                  "samples");
+    if (name == "time" || name.starts_with("time.") || name.starts_with("output."))
+      errors.add(key->key.location,
+                 fmt::format("'{}': samples would be compared at times or with errors of their own", key->key.name),
+                 "keys that describe the model");
     const auto same = [&](const std::string& other) { return with_dots(other) == name; };
     const auto before =
         std::find_if(random.keys.begin(), key, [&](const RandomKey& other) { return same(other.key.name); });

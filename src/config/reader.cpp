@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/config/random.hpp"
+#include "creepcontact/config/dotted_key.hpp"
 #include "creepcontact/config/writer.hpp"
 #include "cross_checks.hpp"
 #include "key_content.hpp"

@@ -88,10 +88,15 @@ std::string influence_text(const Scatter& scatter, const ScatterGroup& group) {
   if (!scatter.is_correlated) heads.emplace_back("quality");
   std::string text = head_text(heads);
   bool any = false;
+  std::string partial;
   for (std::size_t r = 0; r < group.results.size(); ++r) {
     const bool is_constant = leading_key(group, r) == scatter.keys.size();
     if (is_constant) continue;
     any = true;
+    const std::vector<double>& values = group.results[r].values;
+    const auto known = std::ranges::count_if(values, [](double value) { return std::isfinite(value); });
+    if (known < std::ssize(values))
+      partial += fmt::format("`{}`: of the {} of {} runs that have it.\n", group.results[r].name, known, values.size());
     const bool has_shares = !scatter.is_correlated && !group.shares[r].first_order.empty();
     const bool is_good = has_shares && group.shares[r].quality >= min_quality;
     std::vector<std::string> cells{in_code(group.results[r].name)};
@@ -107,7 +112,7 @@ std::string influence_text(const Scatter& scatter, const ScatterGroup& group) {
   if (!any) return "";
   text = "Spearman's rank correlation with each key" +
          std::string(scatter.is_correlated ? "" : ", and the share of the variance that comes from it alone") +
-         ":\n\n" + text + "\n";
+         ":\n\n" + text + "\n" + partial + (partial.empty() ? "" : "\n");
   if (scatter.is_correlated) return text + "The keys are correlated, so the variance cannot be divided among them.\n\n";
   return text +
          "The shares are those of a polynomial of degree 2 or less, fitted to the results; `quality` says how well it "

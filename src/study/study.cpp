@@ -24,6 +24,7 @@ constexpr std::size_t runs_before_writing = 200;  // that a kill of the shard le
 
 StudyResult result_of(const std::vector<StudyRow>& rows, const platform::Interrupt& interrupt,
                       const fs::path& directory) {
+  if (rows.empty()) return {0, "nothing to do: the study has fewer runs than shards"};
   const auto succeeded = std::count_if(rows.begin(), rows.end(), [](const StudyRow& row) { return row.succeeded(); });
   const std::string results =
       fmt::format("{} of {} runs succeeded; results in {}", succeeded, rows.size(), directory.string());

@@ -258,6 +258,11 @@ class Together(StudyTest):
 
     def test_mistakes(self):
         self.expect_error(self.study(self.KEYS, "--together", "0"), 2, "--together", "1 to 64")
+        self.expect_error(self.study(self.KEYS.replace('"materials.steel.creep[0].A"', '"time.end"')), 2, "'time.end'", "describe the model")
+        self.expect_error(self.study(self.KEYS.replace("[random]\n", "[random]\nquantiles = []\n")), 2, "random.quantiles", "an empty list")
+        done = self.study(self.KEYS.replace("creep[0].A", "creep[0].B"))
+        self.expect_error(done, 2, "unknown key")
+        self.assertNotIn("reaches", done.stderr)
 
 
 class ScatterExamples(StudyTest):

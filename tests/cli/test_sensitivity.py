@@ -138,6 +138,7 @@ class Sensitivity(ProcessTest):
                 (["materials.steel.creep[0].B"], ("sensitivity.keys[0]", f"did you mean '{A}'")),
                 (["time.end"], ("'time.end'", "what describes the model")),
                 (["mesh.order"], ("'mesh.order'", "what describes the model")),
+                (["mesh.parameters.h"], ("'mesh.parameters.h'", "what describes the model")),
                 (["bodies.cube.material"], ("is \"steel\"", "a number")),
                 (["supports[0].displacement.x"], ("is 0", "sensitivity.changes")),
                 ([A, A], ("named twice",)),

@@ -200,10 +200,18 @@ echo "17;cluster"
         calls = (tools / "calls").read_text().splitlines()
         self.assertEqual(len(calls), 2)
         self.assertSays(calls[0], "--array=1-3", "--time=10")
-        self.assertSays(calls[1], "--dependency=afterany:17")
+        self.assertSays(calls[1], "--dependency=afterany:17", "--time=10")
+        self.assertEqual(ran.stdout.splitlines(), ["shards: job 17", "gathering: job 17"])
         self.assertNotIn("cluster", calls[1])
         self.assertEqual(len(self.quantiles()), 4)
         self.assertEqual({row["status"] for row in self.rows()}, {"completed"})
+
+    def test_no_more_shards_than_runs(self):
+        done = self.call("study", "study.toml", "--slurm", "--shards", "100")
+        self.assertSays(done.stdout, "--array=1-12")
+        done = self.call("study", "study.toml", "--shard", "100/100")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertSays(done.stdout, "fewer runs than shards")
 
     @unittest.skipUnless(shutil.which("parallel"), "GNU parallel is not installed")
     def test_gnu_parallel_takes_the_list(self):

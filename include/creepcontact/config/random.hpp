@@ -42,9 +42,6 @@ struct Random {
   std::size_t n_samples() const { return static_cast<std::size_t>(samples); }
 };
 
-/// "materials.steel.creep[0].A" as "materials.steel.creep.0.A": keys that are equal so are the same.
-std::string with_dots(const std::string& key);
-
 /// Standard normal scores of all samples, sample by sample, one per key, with their correlations.
 std::vector<double> scores_of(const Random& random);
 

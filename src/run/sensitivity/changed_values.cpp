@@ -11,7 +11,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/suggestion.hpp"
 #include "creepcontact/config/configured.hpp"
-#include "creepcontact/config/random.hpp"
+#include "creepcontact/config/dotted_key.hpp"
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/config/writer.hpp"
 #include "creepcontact/run/vocabulary.hpp"
@@ -35,9 +35,10 @@ std::optional<double> number_in(const std::string& text) {
 }
 
 /// Why there are no derivatives with this key; empty: there are.
+/// @param key  with_dots()
 std::string obstacle(const std::string& key) {
   for (const char* const table : {"mesh.", "time.", "output.", "contact_solver.", "linear_solver.", "report.",
-                                  "probes[", "events[", "criteria[", "surfaces.", "sensitivity."})
+                                  "probes.", "events.", "criteria.", "surfaces.", "sensitivity."})
     if (key.starts_with(table))
       return "no result has a derivative with respect to it; allowed: what describes the model";
   return "";
@@ -77,21 +78,21 @@ std::vector<ChangedValue> changed_values(const config::Config& config) {
   std::vector<ChangedValue> result;
   for (std::size_t k = 0; k < wanted.keys.size(); ++k) {
     const config::Reference& reference = wanted.keys[k];
+    if (const std::string why = obstacle(config::with_dots(reference.name)); !why.empty()) {
+      add_error(reference, fmt::format("'{}': {}", reference.name, why));
+      continue;
+    }
     const auto found = std::ranges::find(values, config::with_dots(reference.name),
                                          [](const config::ConfiguredValue& one) { return config::with_dots(one.key); });
     if (found == values.end()) {
       std::vector<std::string> names;
       for (const config::ConfiguredValue& one : values)
-        if (number_in(one.text) && obstacle(one.key).empty()) names.push_back(one.key);
+        if (number_in(one.text) && obstacle(config::with_dots(one.key)).empty()) names.push_back(one.key);
       add_error(reference, fmt::format("this configuration has no value '{}'{}", reference.name,
                                        did_you_mean(reference.name, names)));
       continue;
     }
     const std::string& key = found->key;
-    if (const std::string why = obstacle(key); !why.empty()) {
-      add_error(reference, fmt::format("'{}': {}", reference.name, why));
-      continue;
-    }
     const std::optional<double> value = number_in(found->text);
     if (!value) {
       add_error(reference, fmt::format("the value of '{}' is {}; allowed: a key whose value is a number",
