@@ -8,6 +8,7 @@
 #include "creepcontact/base/cores.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/config/study.hpp"
+#include "creepcontact/results/probe_record.hpp"
 #include "creepcontact/run/vocabulary.hpp"
 #include "creepcontact/study/study.hpp"
 #include "runs_together.hpp"
@@ -71,6 +72,7 @@ int study(const Command& self, const Arguments& arguments) {
   constexpr int max_together = 64;  // beyond, passes do not get cheaper
   if (line.has("together")) line.require_within("together", together, max_together);
   options.together = static_cast<std::size_t>(together);
+  options.unit_of_probe = results::ProbeRecord::unit_of;
   options.make_together = runs_together(options.jobs > 0 ? options.jobs : cores());
   if (line.has("shards")) line.require_within("shards", shards, max_shards);
   require_one_task(line);

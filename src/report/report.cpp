@@ -72,7 +72,8 @@ void add_links(const char* name, const char* style, const std::vector<Part>& par
   page.close("nav");
 }
 
-/// The first runs of a study, as many as a reader can compare and memory holds; of any other directory itself. Links to
+/// The first runs of a study, as many as a reader can compare and memory holds, none of one whose shards keep them; of
+/// any other directory itself. Links to
 /// elsewhere are not followed.
 std::vector<std::filesystem::path> runs_in(const std::filesystem::path& directory, std::vector<std::string>& notes) {
   // Samples differ by chance: a few of them show what a run is like.
@@ -87,6 +88,10 @@ std::vector<std::filesystem::path> runs_in(const std::filesystem::path& director
           (path_exists(entry.path() / "summary.json") || path_exists(entry.path() / "history.csv")) &&
           entry.path().filename().string().starts_with("run_"))
         runs.push_back(entry.path());
+  if (runs.empty() && has_scatter(directory)) {
+    notes.emplace_back("The runs are kept in files of shards, and none of them is shown.");
+    return {};
+  }
   if (runs.empty())
     throw ConfigError(
         fmt::format("'{}' is the directory of a study without results in '{}'", directory.string(), place.string()));
@@ -238,7 +243,7 @@ WrittenReport write_report(const std::vector<std::filesystem::path>& given, cons
     parts.add("scatter", "Scatter", [&] { add_scatter(given.front(), body); });
   if (is_alone)
     add_one(runs.front(), script, drawings, body, parts);
-  else
+  else if (!runs.empty())
     add_several(runs, differences, script, drawings, body, parts);
 
   Html page;

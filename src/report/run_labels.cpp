@@ -62,7 +62,7 @@ std::vector<std::string> labels_by_inputs(const std::vector<InputDifference>& di
       labels[r] += fmt::format("{}{} = {}", d > 0 ? ", " : "", end_of_key(differences[d].key),
                                cut(differences[d].values[r], longest_value));
   const std::set<std::string> all(labels.begin(), labels.end());
-  if (all.size() == labels.size() && !labels.front().empty()) return labels;
+  if (all.size() == labels.size() && !all.contains("")) return labels;
   for (std::size_t r = 0; r < labels.size(); ++r)
     labels[r] = labels[r].empty() ? directories[r] : fmt::format("{} ({})", directories[r], labels[r]);
   return labels;

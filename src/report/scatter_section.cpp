@@ -54,7 +54,8 @@ void add_scatter(const std::filesystem::path& directory, Html& page) {
   std::size_t n = 0;
   const std::vector<std::pair<const char*, const char*>> kinds{{"probabilities", "Probability over time"},
                                                                {"fan_", "Median and bands over time"},
-                                                               {"histogram_", "Values at the end"}};
+                                                               {"histogram_", "Values at the end"},
+                                                               {"cloud_", "Values at the end over one key"}};
   for (const auto& [name, what] : kinds)
     for (const std::filesystem::path& file : pictures_named(directory, name))
       if (n++ < most_pictures) add_picture(file, what, page);

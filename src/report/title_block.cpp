@@ -13,8 +13,9 @@
 namespace creepcontact::report {
 namespace {
 
-/// The text, if all runs have the same; else empty.
+/// The text, if there are runs and all have the same; else empty.
 std::string common(const std::vector<RunData>& runs, std::string io::RecordedReport::*member) {
+  if (runs.empty()) return "";
   const std::string& first = runs.front().record.report.*member;
   const bool same = std::ranges::all_of(runs, [&](const RunData& run) { return run.record.report.*member == first; });
   return same ? first : "";

@@ -62,7 +62,7 @@ StudyResult gather_study(const config::Study& given, const config::Vocabulary& v
   const platform::Interrupt interrupt;
   const platform::DirectoryLock lock(directory);
   claim_directory(directory, study);
-  StudyConclusion conclusion(study, runs);
+  StudyConclusion conclusion(study, runs, result_units(study, vocabulary, options));
   RunRecords records(study, vocabulary);
   std::vector<std::string> missing, failed;
   std::set<int> shards;

@@ -22,8 +22,8 @@ double ratio_of(const std::vector<double>& values) {
   return least > 0 ? largest / least : 0;
 }
 
-plot::Axis time_axis(const std::vector<double>& times) {
-  return {.label = "time", .logarithmic = plot::spans_decades(times), .zero_at_left = true};
+plot::Axis time_axis(const std::vector<double>& times, const std::string& unit) {
+  return {.label = unit.empty() ? "time" : fmt::format("time ({})", unit), .logarithmic = plot::spans_decades(times), .zero_at_left = true};
 }
 
 plot::Series series_of(const std::string& name, Style style, int look = 0) {
@@ -36,8 +36,9 @@ plot::Series series_of(const std::string& name, Style style, int look = 0) {
 
 class ScatterPictures {
  public:
-  ScatterPictures(const Scatter& scatter, const std::string& title, const std::filesystem::path& directory)
-      : scatter_(scatter), title_(title), directory_(directory) {}
+  ScatterPictures(const Scatter& scatter, const ResultUnits& units, const std::string& title,
+                  const std::filesystem::path& directory)
+      : scatter_(scatter), units_(units), title_(title), directory_(directory) {}
 
   /// @param suffix  of the names of files
   void draw_fan(const ScatterGroup& group, std::size_t probe, const std::string& suffix) {
@@ -54,7 +55,7 @@ class ScatterPictures {
       inner.upper.push_back(fan[3]);
       median.y.push_back(fan[2]);
     }
-    draw(group, time_axis(group.times), {{.label = scatter_.probes[probe]}, {outer, inner, median}},
+    draw(group, time_axis(group.times, units_.time), {{.label = units_.labelled(scatter_.probes[probe])}, {outer, inner, median}},
          "fan_" + scatter_.probes[probe] + suffix);
   }
 
@@ -78,7 +79,7 @@ class ScatterPictures {
         bins.y.push_back(0);
         bins.upper.push_back(shares[i]);
       }
-    draw(group, {.label = scatter_.probes[probe] + " at the end", .logarithmic = is_logarithmic},
+    draw(group, {.label = units_.labelled(scatter_.probes[probe], " at the end"), .logarithmic = is_logarithmic},
          {{.label = "share of the runs (%)"}, {bins}}, "histogram_" + scatter_.probes[probe] + suffix);
   }
 
@@ -95,7 +96,7 @@ class ScatterPictures {
       points.y.push_back(values[s]);
     }
     draw(group, {.label = scatter_.keys[key], .logarithmic = ratio_of(points.x) > far_apart},
-         {{.label = scatter_.probes[probe] + " at the end", .logarithmic = ratio_of(points.y) > far_apart}, {points}},
+         {{.label = units_.labelled(scatter_.probes[probe], " at the end"), .logarithmic = ratio_of(points.y) > far_apart}, {points}},
          "cloud_" + scatter_.probes[probe] + suffix);
   }
 
@@ -116,7 +117,7 @@ class ScatterPictures {
       }
       panel.series.insert(panel.series.end(), {bounds, share});
     }
-    if (!panel.series.empty()) draw(group, time_axis(group.times), panel, "probabilities" + suffix);
+    if (!panel.series.empty()) draw(group, time_axis(group.times, units_.time), panel, "probabilities" + suffix);
   }
 
   const std::vector<std::filesystem::path>& files() const { return files_; }
@@ -129,6 +130,7 @@ class ScatterPictures {
   }
 
   const Scatter& scatter_;
+  const ResultUnits& units_;
   std::string title_;
   std::filesystem::path directory_;
   std::vector<std::filesystem::path> files_;
@@ -137,9 +139,9 @@ class ScatterPictures {
 }  // namespace
 
 std::vector<std::filesystem::path> plot_scatter(const config::Study& study, const std::vector<config::PlannedRun>& runs,
-                                                const Scatter& scatter, const std::string& title,
-                                                const std::filesystem::path& directory) {
-  ScatterPictures pictures(scatter, title, directory);
+                                                const Scatter& scatter, const ResultUnits& units,
+                                                const std::string& title, const std::filesystem::path& directory) {
+  ScatterPictures pictures(scatter, units, title, directory);
   if (!study.plot.histories) return {};
   for (std::size_t g = 0; g < std::min(most_groups_drawn, scatter.groups.size()); ++g) {
     const ScatterGroup& group = scatter.groups[g];

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "result_units.hpp"
 #include "scatter.hpp"
 
 namespace creepcontact::study {
@@ -15,7 +16,7 @@ namespace creepcontact::study {
 /// @param title  of the study
 /// @returns the SVG files @throws as plot::draw()
 std::vector<std::filesystem::path> plot_scatter(const config::Study& study, const std::vector<config::PlannedRun>& runs,
-                                                const Scatter& scatter, const std::string& title,
-                                                const std::filesystem::path& directory);
+                                                const Scatter& scatter, const ResultUnits& units,
+                                                const std::string& title, const std::filesystem::path& directory);
 
 }  // namespace creepcontact::study

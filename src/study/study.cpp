@@ -59,7 +59,7 @@ StudyResult run_study(const config::Study& given, const config::Vocabulary& voca
   const std::vector<config::PlannedRun> runs = config::plan(given);
   config::check_runs(given, runs, vocabulary);
   const config::Study study = with_probes(given, vocabulary);
-  StudyConclusion conclusion(study, runs);
+  StudyConclusion conclusion(study, runs, result_units(study, vocabulary, options));
   const fs::path directory = directory_of(study, options);
   const platform::Interrupt interrupt;  // from here on there is something to save
   std::error_code failure;

@@ -1,5 +1,7 @@
 #include "study_conclusion.hpp"
 
+#include <utility>
+
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/platform/replace_file.hpp"
@@ -33,8 +35,13 @@ std::vector<fs::path> drawn(const Draw& draw) {
 
 }  // namespace
 
-StudyConclusion::StudyConclusion(const config::Study& study, const std::vector<config::PlannedRun>& runs)
-    : study_(study), runs_(runs), comparison_(study), histories_(names_of_probes(study), runs.size()) {
+StudyConclusion::StudyConclusion(const config::Study& study, const std::vector<config::PlannedRun>& runs,
+                                 ResultUnits units)
+    : study_(study),
+      runs_(runs),
+      comparison_(study),
+      histories_(names_of_probes(study), runs.size()),
+      units_(std::move(units)) {
   StudyRow not_started;
   not_started.status = "not started";
   rows_.assign(runs.size(), not_started);
@@ -60,7 +67,7 @@ void StudyConclusion::write(const fs::path& directory) const {
     const Scatter scatter = scatter_of(study_, runs_, rows_, histories_);
     for (const auto& [name, text] : scatter_tables(runs_, scatter)) platform::replace_file(directory / name, text);
     scatter_text = scatter_markdown(study_, scatter);
-    pictures = drawn([&] { return plot_scatter(study_, runs_, scatter, title_of(study_), directory); });
+    pictures = drawn([&] { return plot_scatter(study_, runs_, scatter, units_, title_of(study_), directory); });
   } else {
     pictures = drawn([&] { return plot_study(study_, runs_, rows_, directory); });
   }

@@ -7,6 +7,7 @@
 
 #include "comparison.hpp"
 #include "histories.hpp"
+#include "result_units.hpp"
 
 namespace creepcontact::study {
 
@@ -14,7 +15,7 @@ namespace creepcontact::study {
 class StudyConclusion {
  public:
   /// @param study  with the compared probes; it and the runs are referred to and must outlive this
-  StudyConclusion(const config::Study& study, const std::vector<config::PlannedRun>& runs);
+  StudyConclusion(const config::Study& study, const std::vector<config::PlannedRun>& runs, ResultUnits units);
 
   void take_reference(const RunOutcome& outcome, const std::string& name);
   /// @param row  of the run, if it is not that of the outcome
@@ -34,6 +35,7 @@ class StudyConclusion {
   std::optional<StudyRow> reference_;
   std::vector<StudyRow> rows_;
   Histories histories_;
+  ResultUnits units_;
 };
 
 }  // namespace creepcontact::study

@@ -100,6 +100,16 @@ class Shards(StudyTest):
         self.assertEqual(self.gather().returncode, 0)
         self.expect_same(self.quantiles(), expected)
 
+    def test_a_study_that_keeps_files_of_shards_has_a_report(self):
+        self.write("study.toml", PER_SHARD + STUDY)
+        for shard in ("1/2", "2/2"):
+            self.assertEqual(self.shard(shard).returncode, 0)
+        self.assertEqual(self.gather().returncode, 0)
+        done = self.call("report", "results/study")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = (self.output / "report.html").read_text(encoding="utf-8")
+        self.assertSays(page, "Scatter", "cloud_stress", "fan_stress", "files of shards")
+
     def test_a_shard_that_is_killed_is_made_again_alone(self):
         self.assertEqual(self.shard("1/2").returncode, 0)
         first = self.written()

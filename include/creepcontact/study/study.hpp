@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/config/config.hpp"
 #include "creepcontact/config/study.hpp"
 #include "creepcontact/config/vocabulary.hpp"
 #include "creepcontact/plot/run_plots.hpp"
@@ -33,6 +34,8 @@ struct StudyOptions {
   bool trust_geometry = false;      ///< let .geo files run programs and write files
   std::size_t together = 16;        ///< samples of [random] that are computed at a time in this process; 1: none
   RunsTogether make_together = {};  ///< null: every run is a process of its own
+  /// The unit of the values of a probe, empty if it is not known; null: none are.
+  std::function<std::string(const config::Probe& probe, const std::string& units)> unit_of_probe = {};
 };
 
 /// Outcome of a study.
