@@ -323,7 +323,8 @@ Value<Random> random_table() {
         }
         if (!item.has("keys")) context.errors.add(item.location, "nothing is distributed", "[[random.keys]]");
         if (random.quantiles.empty())
-          context.errors.add(item.child("quantiles").location, "an empty list", "ascending probabilities, at least one");
+          context.errors.add(item.child("quantiles").location, "an empty list",
+                             "ascending probabilities, at least one");
         if (std::ranges::adjacent_find(random.quantiles, std::greater_equal()) != random.quantiles.end())
           context.errors.add(item.child("quantiles").location, fmt::format("{}", fmt::join(random.quantiles, ", ")),
                              "ascending probabilities");

@@ -156,8 +156,7 @@ std::vector<EquilibriumChange> EquilibriumSolver::changes(const Equilibrium& at,
       body.constraints().expand(of[k].forces[b], work_[b].no_displacement, change.displacement[b]);
       interface_.rows().add_rigid_motion(b, change.rigid, change.displacement[b]);
       change.stress[b].resize(6 * body.discretization().n_points());
-      body.discretization().stress(change.displacement[b], factored.elastic(),
-                                   of[k].strain[b], change.stress[b]);
+      body.discretization().stress(change.displacement[b], factored.elastic(), of[k].strain[b], change.stress[b]);
       if (!of[k].stress[b].empty()) vector(change.stress[b]) += vector(of[k].stress[b]);
     }
   }

@@ -43,6 +43,8 @@ MemoryNeed memory_need(const config::Config& config, const creep::Assembly& asse
     need.points += 8 * (numbers * static_cast<double>(body.discretization().n_points()) +
                         numbers_at_nodes * static_cast<double>(body.mesh().nodes.size()));
   }
+  // For each value the derivative of the state, and two models.
+  need.derivatives = static_cast<double>(config.sensitivity.keys.size()) * (need.state + 2 * need.points);
   return need;
 }
 
@@ -59,18 +61,20 @@ std::string memory_shortage(const MemoryNeed& of_one, int processes_here) {
     std::vector<std::string> cures;
     if (processes > 1) cures.emplace_back("use fewer processes on this machine, or more machines");
     if (threads > 1) cures.emplace_back("use --threads 1");
+    if (need.derivatives > considerable * more) cures.emplace_back("name fewer keys in sensitivity.keys");
     if (need.total() > considerable * more) cures.emplace_back("make the mesh coarser");
     cures.emplace_back("allow the program more memory");
     return fmt::format(
         "the model needs about {} more memory{} (factors {}, contact matrices {}, integration points and nodes {}, "
-        "state and integrator {}{}), but only {} are left: {}; {}",
+        "state and integrator {}{}{}), but only {} are left: {}; {}",
         platform::memory_text(more), processes > 1 ? fmt::format(" for {} processes on this machine", processes) : "",
         platform::memory_text(need.factors), platform::memory_text(need.contact), platform::memory_text(need.points),
-        platform::memory_text(need.state), also, platform::memory_text(room.bytes), room.reason,
-        fmt::join(cures, ", or "));
+        platform::memory_text(need.state),
+        need.derivatives > 0 ? fmt::format(", derivatives {}", platform::memory_text(need.derivatives)) : "", also,
+        platform::memory_text(room.bytes), room.reason, fmt::join(cures, ", or "));
   };
   const MemoryNeed of_all{processes_here * of_one.factors, of_one.contact, processes_here * of_one.points,
-                          processes_here * of_one.state};
+                          processes_here * of_one.state, processes_here * of_one.derivatives};
   if (const platform::Room room = platform::free_memory(); of_all.total() + small_things > room.bytes)
     return text(of_all, of_all.total() + small_things, processes_here, "", room, 1);
   const int threads = omp_get_max_threads();

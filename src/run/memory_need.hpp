@@ -11,11 +11,12 @@ namespace creepcontact::run {
 
 /// Bytes.
 struct MemoryNeed {
-  double factors = 0;  ///< with the working memory of a factorisation
-  double contact = 0;  ///< matrices of the contact zones
-  double points = 0;   ///< at integration points and nodes
-  double state = 0;    ///< of the differential equation, and the vectors of its integrator
-  double total() const { return factors + contact + points + state; }
+  double factors = 0;      ///< with the working memory of a factorisation
+  double contact = 0;      ///< matrices of the contact zones
+  double points = 0;       ///< at integration points and nodes
+  double state = 0;        ///< of the differential equation, and the vectors of its integrator
+  double derivatives = 0;  ///< likewise of the derivatives ([sensitivity]), and the models from which they are taken
+  double total() const { return factors + contact + points + state + derivatives; }
 };
 
 /// What a run takes beyond its model. @param assembly  what this process has of it @param contact_bytes  the matrices

@@ -23,7 +23,9 @@ double ratio_of(const std::vector<double>& values) {
 }
 
 plot::Axis time_axis(const std::vector<double>& times, const std::string& unit) {
-  return {.label = unit.empty() ? "time" : fmt::format("time ({})", unit), .logarithmic = plot::spans_decades(times), .zero_at_left = true};
+  return {.label = unit.empty() ? "time" : fmt::format("time ({})", unit),
+          .logarithmic = plot::spans_decades(times),
+          .zero_at_left = true};
 }
 
 plot::Series series_of(const std::string& name, Style style, int look = 0) {
@@ -55,7 +57,8 @@ class ScatterPictures {
       inner.upper.push_back(fan[3]);
       median.y.push_back(fan[2]);
     }
-    draw(group, time_axis(group.times, units_.time), {{.label = units_.labelled(scatter_.probes[probe])}, {outer, inner, median}},
+    draw(group, time_axis(group.times, units_.time),
+         {{.label = units_.labelled(scatter_.probes[probe])}, {outer, inner, median}},
          "fan_" + scatter_.probes[probe] + suffix);
   }
 
@@ -96,7 +99,9 @@ class ScatterPictures {
       points.y.push_back(values[s]);
     }
     draw(group, {.label = scatter_.keys[key], .logarithmic = ratio_of(points.x) > far_apart},
-         {{.label = units_.labelled(scatter_.probes[probe], " at the end"), .logarithmic = ratio_of(points.y) > far_apart}, {points}},
+         {{.label = units_.labelled(scatter_.probes[probe], " at the end"),
+           .logarithmic = ratio_of(points.y) > far_apart},
+          {points}},
          "cloud_" + scatter_.probes[probe] + suffix);
   }
 

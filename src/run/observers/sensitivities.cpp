@@ -29,8 +29,7 @@ class Sensitivities final : public Observer {
     if (context.directory.empty()) return;
     std::vector<std::string> names;
     for (const config::Probe& probe : context.config.probes)
-      for (const ChangedValue& value : of_.values())
-        names.push_back(fmt::format("d_{}__{}", probe.name, value.key));
+      for (const ChangedValue& value : of_.values()) names.push_back(fmt::format("d_{}__{}", probe.name, value.key));
     file_.emplace(context.directory / "sensitivity.csv", names,
                   io::Continuation{.resume = context.resumed != nullptr, .last_time = context.begin},
                   context.config.output.csv);
@@ -42,8 +41,7 @@ class Sensitivities final : public Observer {
     std::vector<double> row;
     row.reserve(context_.config.probes.size() * of_.values().size());
     for (std::size_t p = 0; p < context_.config.probes.size(); ++p)
-      for (std::size_t k = 0; k < of_.values().size(); ++k)
-        row.push_back(derivatives_[k][p] / of_.values()[k].change);
+      for (std::size_t k = 0; k < of_.values().size(); ++k) row.push_back(derivatives_[k][p] / of_.values()[k].change);
     file_->write(view.time(), row);
   }
 

@@ -59,6 +59,7 @@ std::string obstacle(const config::Config& config) {
 config::Config with_value(const config::Config& config, const std::string& text, const std::string& key, double value) {
   config::Config changed = config::parse(text, config.file, vocabulary(), {fmt::format("{}={}", key, value)});
   changed.mesh.trust_geometry = config.mesh.trust_geometry;
+  changed.sensitivity = {};
   return changed;
 }
 
@@ -100,9 +101,7 @@ std::vector<ChangedValue> changed_values(const config::Config& config) {
       continue;
     }
     ChangedValue one{
-        .key = key,
-        .value = *value,
-        .change = wanted.changes.empty() ? std::abs(*value) : wanted.changes[k]};
+        .key = key, .value = *value, .change = wanted.changes.empty() ? std::abs(*value) : wanted.changes[k]};
     if (one.change == 0) {
       add_error(reference,
                 fmt::format("the value of '{}' is 0, which does not tell what a small change is; give typical "

@@ -24,7 +24,9 @@ void require_nearby(const ChangedValue& value, const model::Model& changed, cons
                     "neither mesh nor laws",
                     value.key));
   const std::vector<double>&times = changed.breakpoints, &of_times = of_run.breakpoints;
-  const auto differ = [](double a, double b) { return std::abs(a - b) > same_time * std::max(std::abs(a), std::abs(b)); };
+  const auto differ = [](double a, double b) {
+    return std::abs(a - b) > same_time * std::max(std::abs(a), std::abs(b));
+  };
   if (times.size() == of_times.size() && !std::ranges::equal(times, of_times, std::not_fn(differ))) {
     const auto moved = std::ranges::mismatch(times, of_times, std::not_fn(differ));
     throw ConfigError(
@@ -54,8 +56,8 @@ std::unique_ptr<Derivatives> make_derivatives(const std::vector<ChangedValue>& v
   std::vector<std::unique_ptr<NearbyModel>> models;
   for (const ChangedValue& value : values)
     for (const double sign : {1.0, -1.0}) {
-      models.push_back(std::make_unique<NearbyModel>(sign > 0 ? value.more : value.less, sign, kept,
-                                                     system.laws().min_strain()));
+      models.push_back(
+          std::make_unique<NearbyModel>(sign > 0 ? value.more : value.less, sign, kept, system.laws().min_strain()));
       require_nearby(value, models.back()->model(), model);
     }
   return std::make_unique<LinearDerivatives>(values, system, solver, std::move(models), watch);

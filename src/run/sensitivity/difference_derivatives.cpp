@@ -24,8 +24,7 @@ void DifferenceDerivatives::differentiate(std::span<double> blocks, bool adds) c
   for (std::size_t k = 0; k < values().size(); ++k) {
     const std::span<double> into = block(blocks, k + 1);
     const std::vector<double>&more = results_[2 * k], &less = results_[2 * k + 1];
-    for (std::size_t i = 0; i < into.size(); ++i)
-      into[i] = (adds ? into[i] : 0) + central_difference(more[i], less[i]);
+    for (std::size_t i = 0; i < into.size(); ++i) into[i] = (adds ? into[i] : 0) + central_difference(more[i], less[i]);
   }
 }
 

@@ -122,8 +122,8 @@ void LinearDerivatives::rate(double t, std::span<const double> whole, std::span<
   for (std::size_t k = 0; k < values().size(); ++k)
     laws.for_each_creeping([&](std::size_t b, const creep::MaterialPoints& points) {
       const std::span<double> into = laws.layout().part(b, block(rate, k + 1));
-      points.derivative(laws.state(b, at, at.y),
-                        {changes[k].stress[b], laws.layout().part(b, block(whole, k + 1))}, into);
+      points.derivative(laws.state(b, at, at.y), {changes[k].stress[b], laws.layout().part(b, block(whole, k + 1))},
+                        into);
       if (!laws_differ(k, b)) return;
       with_more.resize(into.size());
       with_less.resize(into.size());

@@ -1,7 +1,7 @@
 #pragma once
 /// Derivatives by linear responses: what a value and the derivative of the state change in the equations of the run's
-/// equilibrium is found at its own displacements, and answered by its own factors with its own closed contacts. What the
-/// value changes itself is a difference of models with more and less of it. For piecewise linear equilibria.
+/// equilibrium is found at its own displacements, and answered by its own factors with its own closed contacts. What
+/// the value changes itself is a difference of models with more and less of it. For piecewise linear equilibria.
 
 #include "derivatives.hpp"
 #include "nearby_model.hpp"
@@ -15,7 +15,8 @@ class LinearDerivatives final : public Derivatives {
 
   /// @param values, system, solver, watch  must outlive the object
   LinearDerivatives(const std::vector<ChangedValue>& values, creep::CreepSystem& system,
-                    creep::EquilibriumSolver& solver, std::vector<std::unique_ptr<NearbyModel>> models, Stopwatch& watch);
+                    creep::EquilibriumSolver& solver, std::vector<std::unique_ptr<NearbyModel>> models,
+                    Stopwatch& watch);
 
   void rate(double t, std::span<const double> whole, std::span<double> rate) override;
   void start_increment(double t, std::span<const double> whole, double stress_time, double duration,

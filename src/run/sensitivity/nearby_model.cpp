@@ -45,9 +45,9 @@ bool NearbyModel::stresses_differ(std::size_t body, const creep::Evaluation& at)
   const auto same_moduli = [](const material::Moduli& a, const material::Moduli& b) {
     return a.lambda == b.lambda && a.mu == b.mu;
   };
-  return !std::ranges::equal(own.moduli, of_run.moduli, same_moduli) || own.matrices != of_run.matrices || own.thermal_strain != of_run.thermal_strain ||
-         own.thermal_tensors != of_run.thermal_tensors || own.prescribed != of_run.prescribed ||
-         !std::ranges::equal(inner(own), inner(of_run));
+  return !std::ranges::equal(own.moduli, of_run.moduli, same_moduli) || own.matrices != of_run.matrices ||
+         own.thermal_strain != of_run.thermal_strain || own.thermal_tensors != of_run.thermal_tensors ||
+         own.prescribed != of_run.prescribed || !std::ranges::equal(inner(own), inner(of_run));
 }
 
 /// That of the run, with the prescribed displacements of this model.
@@ -72,7 +72,9 @@ std::vector<double> NearbyModel::stress(std::size_t body, const creep::Evaluatio
 }
 
 void NearbyModel::rate(std::size_t body, const creep::Evaluation& at, std::span<double> rate) const {
-  laws_.points()[body].rate({at_.laws[body], {}, at.equilibrium.bodies[body].stress,
+  laws_.points()[body].rate({at_.laws[body],
+                             {},
+                             at.equilibrium.bodies[body].stress,
                              laws_.layout().part(body, std::span<const double>(at.y))},
                             rate, {});
 }
@@ -86,7 +88,9 @@ void NearbyModel::place(const creep::Evaluation& at, const creep::EquilibriumCha
 }
 
 creep::PointsState NearbyModel::points(std::size_t body) const {
-  return {at_.laws[body], {}, at_.equilibrium.bodies[body].stress,
+  return {at_.laws[body],
+          {},
+          at_.equilibrium.bodies[body].stress,
           laws_.layout().part(body, std::span<const double>(at_.y))};
 }
 

@@ -39,6 +39,18 @@ TEST(Memory, AModelBeyondAllMachinesIsRefusedWithNumbers) {
   EXPECT_TRUE(says(message, {"1000000000.0 GB", "(factors ", "contact matrices 1000000000.0 GB", "mesh"}));
 }
 
+TEST(Memory, DerivativesTakeMore) {
+  const Case blocks;
+  const auto need = [&](const std::vector<std::string>& overrides) {
+    const config::Config config = blocks.config(pressure_probe, overrides);
+    return memory_need(config, build_model(config).assembly, 1e6, [](std::size_t) { return 1e6; });
+  };
+  const MemoryNeed plain = need({}), two = need({R"(sensitivity.keys=["contacts[0].gap", "time.end"])"});
+  EXPECT_EQ(plain.derivatives, 0);
+  EXPECT_EQ(two.derivatives, 2 * (plain.state + 2 * plain.points));
+  EXPECT_EQ(two.total(), plain.total() + two.derivatives);
+}
+
 TEST(Memory, TangentsTakeMore) {
   const Case blocks;
   const auto need = [&](const std::vector<std::string>& overrides) {
