@@ -333,6 +333,7 @@ void LogAdams::add_integral(const Row& integrals, std::span<double> y) const {
 RestartPoint LogAdams::save() const {
   RestartPoint point = Integrator::save();
   std::vector<double> rates;
+  rates.reserve(static_cast<std::size_t>(history_.count) * state_.size());
   for (std::size_t j = 0; j < static_cast<std::size_t>(history_.count); ++j)
     rates.insert(rates.end(), phi_[j].begin(), phi_[j].end());
   point.memory.save("", *this, saved_members);
