@@ -6,6 +6,7 @@
 #include "creepcontact/base/index.hpp"
 #include "cut_tree.hpp"
 #include "panel_kernels.hpp"
+#include "strips.hpp"
 
 namespace creepcontact::linalg {
 
@@ -63,23 +64,36 @@ struct SupernodalPass::Impl : CutTree {
     for (std::size_t v = 0; v < from.size(); ++v) row[v] = from[v][at];
     for (std::size_t v = from.size(); v < width; ++v) row[v] = 0;
   }
-  // Rows are too short for a call of a library.
+  // Rows are too short for a call of a library, and their length is 1 or a multiple of 4.
   void copy(const double* x_row, double* to) const {
-    constexpr std::size_t piece = 4;
     if (width == 1) *to = *x_row;
-    for (std::size_t v = 0; v + piece <= width; v += piece) std::memcpy(to + v, x_row + v, piece * sizeof(double));
+    for (std::size_t v = 0; v + 4 <= width; v += 4) std::memcpy(to + v, x_row + v, 4 * sizeof(double));
   }
   void add(const double* x_row, double* to) const {
-    for (std::size_t v = 0; v < width; ++v) to[v] += x_row[v];
+    if (width == 1) *to += *x_row;
+    for (std::size_t v = 0; v + 4 <= width; v += 4) {
+      Vector<4> sum, part;
+      linalg::load<4>(to + v, sum);
+      linalg::load<4>(x_row + v, part);
+      sum += part;
+      std::memcpy(to + v, &sum, sizeof sum);
+    }
   }
-  /// Rows begin .. end of the results of a forward pass with several vectors.
+  /// Rows begin .. end of the solution into the results, row k at place(k).
+  template <typename Place>
+  void store(std::int64_t begin, std::int64_t end, const Place& place) const {
+    constexpr std::int64_t in_cache = 32;
+    for (std::int64_t first = begin; first < end; first += in_cache)
+      for (std::size_t v = 0; v < into.size(); ++v)
+        for (std::int64_t k = first; k < std::min(end, first + in_cache); ++k)
+          into[v][place(k)] = solution[k * width + v];
+  }
+  /// Of a forward pass with several vectors.
   void store_forward(std::int64_t begin, std::int64_t end) const {
-    for (std::size_t v = 0; v < into.size(); ++v)
-      for (std::int64_t k = begin; k < end; ++k) into[v][k] = solution[k * width + v];
+    store(begin, end, [](std::int64_t k) { return k; });
   }
   void store_backward(std::int64_t begin, std::int64_t end) const {
-    for (std::size_t v = 0; v < into.size(); ++v)
-      for (std::int64_t k = begin; k < end; ++k) into[v][nodes.permutation[k]] = solution[k * width + v];
+    store(begin, end, [this](std::int64_t k) { return nodes.permutation[k]; });
   }
   void forward_subtree(Subtree& subtree);
   void forward_panel(Front& front, std::size_t p);
