@@ -136,7 +136,7 @@ void ensemble(benchmark::State& state) {
 BENCHMARK(ensemble)
     ->Args({0, 64, 16})
     ->Args({0, 64, 1})
-    ->Args({1, 64, 16})  // of 16 samples alone few are left in half of the passes
+    ->Args({1, 64, 16})  // of 16 samples few would soon be left
     ->Unit(benchmark::kSecond)
     ->Iterations(1);
 
