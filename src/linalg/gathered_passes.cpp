@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <ctime>
 #include <exception>
 #include <utility>
 
@@ -120,6 +121,7 @@ void GatheredPasses::make(PassDirection direction, std::span<Request* const> req
       Group& group = same != groups.end() ? *same : groups.emplace_back(Group{part.solver, {}});
       group.vectors.push_back({part.from, part.into});
     }
+  const std::clock_t before = std::clock();  // nothing else is under way
   std::vector<TaskList*> lists;
   for (const Group& group : groups) {
     const PassVector& first = group.vectors.front();
@@ -130,6 +132,7 @@ void GatheredPasses::make(PassDirection direction, std::span<Request* const> req
     counters_.vectors += std::ssize(group.vectors);
   }
   linalg::run(lists, pass_in_parallel_from);
+  counters_.seconds += static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
 }
 
 }  // namespace creepcontact::linalg

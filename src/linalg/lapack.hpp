@@ -7,14 +7,6 @@
 // The names are those of the Fortran symbols.
 // NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
-/// C = alpha A B + beta C, with A and B or their transposes.
-void dgemm_(const char* transpose_a, const char* transpose_b, const int* m, const int* n, const int* k,
-            const double* alpha, const double* a, const int* stride_a, const double* b, const int* stride_b,
-            const double* beta, double* c, const int* stride_c, std::size_t, std::size_t);
-/// B = alpha A^-1 B or alpha B A^-1, A triangular.
-void dtrsm_(const char* side, const char* triangle, const char* transpose, const char* diagonal, const int* m,
-            const int* n, const double* alpha, const double* a, const int* stride_a, double* b, const int* stride_b,
-            std::size_t, std::size_t, std::size_t, std::size_t);
 /// Eigenvalues (ascending, w) and eigenvectors (a) of a symmetric matrix.
 void dsyev_(const char* job, const char* triangle, const int* n, double* a, const int* stride, double* w, double* work,
             const int* n_work, int* info, std::size_t, std::size_t);

@@ -5,29 +5,12 @@
 #include <cstring>
 
 #include "creepcontact/base/instruction_sets.hpp"
-#include "lapack.hpp"
+#include "kernels_of_several.hpp"
+#include "strips.hpp"
 
 namespace creepcontact::linalg {
 
 namespace {
-
-template <std::size_t width>
-struct Vectors;
-template <>
-struct Vectors<4> {
-  using Double = double __attribute__((vector_size(4 * sizeof(double))));
-};
-template <>
-struct Vectors<8> {
-  using Double = double __attribute__((vector_size(8 * sizeof(double))));
-};
-template <std::size_t width>
-using Vector = typename Vectors<width>::Double;
-
-template <std::size_t width>
-CREEPCONTACT_INLINE void load(const double* from, Vector<width>& vector) {
-  std::memcpy(&vector, from, sizeof vector);
-}
 
 /// Columns up to this length are prefetched: the next eight are brought into the cache while these are used. In longer
 /// ones the processor itself fetches what follows, better than a program can.
@@ -106,40 +89,6 @@ CREEPCONTACT_INLINE void subtract_dot_products(const double* first, std::int64_t
   }
 }
 
-/// operation.operator()<columns>(first column) for strips of eight columns and what is left of them.
-template <typename Operation>
-CREEPCONTACT_INLINE void for_each_strip(std::int64_t n_columns, const Operation& operation) {
-  std::int64_t column = 0;
-  for (; column + 8 <= n_columns; column += 8) operation.template operator()<8>(column);
-  if (n_columns - column >= 4) {
-    operation.template operator()<4>(column);
-    column += 4;
-  }
-  if (n_columns - column >= 2) {
-    operation.template operator()<2>(column);
-    column += 2;
-  }
-  if (n_columns > column) operation.template operator()<1>(column);
-}
-/// for_each_strip() from the last strip to the first.
-template <typename Operation>
-CREEPCONTACT_INLINE void for_each_strip_backwards(std::int64_t n_columns, const Operation& operation) {
-  std::int64_t end = n_columns;
-  if (end % 2 == 1) operation.template operator()<1>(end -= 1);
-  if (end % 4 == 2) operation.template operator()<2>(end -= 2);
-  if (end % 8 == 4) operation.template operator()<4>(end -= 4);
-  while (end > 0) operation.template operator()<8>(end -= 8);
-}
-
-/// The reciprocals of a diagonal: divisions that do not wait for each other.
-template <std::size_t columns>
-CREEPCONTACT_INLINE std::array<double, columns> reciprocals(const double* corner, std::int64_t stride) {
-  std::array<double, columns> result;
-#pragma GCC unroll 8
-  for (std::size_t k = 0; k < columns; ++k) result[k] = 1 / corner[k * (stride + 1)];
-  return result;
-}
-
 /// x1 = L11^-1 x1, then x2 -= L21 x1, for `columns` columns. @param corner  the first entry of L11
 template <std::size_t columns>
 CREEPCONTACT_INLINE void eliminate_columns(const double* corner, std::int64_t stride, std::int64_t n_rows, double* x) {
@@ -213,53 +162,23 @@ CREEPCONTACT_BEST_INSTRUCTIONS void subtract_transposed_product_of_one(const Pan
       });
 }
 
-// Rows of several vectors, one after the other, are the columns of the transposed matrix.
-
-/// columns -= rows panel, or its transpose. @param n, k  columns of the result and of the factor at its left
-void subtract_blas(char transposed, const Panel& panel, std::int64_t n, std::int64_t k, const double* from, double* to,
-                   std::size_t vectors) {
-  if (n == 0 || k == 0) return;
-  const int m = static_cast<int>(vectors), columns = static_cast<int>(n), inner = static_cast<int>(k),
-            stride = static_cast<int>(panel.stride);
-  const double minus = -1, one = 1;
-  dgemm_("N", &transposed, &m, &columns, &inner, &minus, from, &m, panel.entries, &stride, &one, to, &m, 1, 1);
-}
-
-/// With the triangle of a panel. @param transposed  'T': x1 = L11^-1 x1, 'N': x1 = L11^-T x1
-void solve_blas(char transposed, const Panel& panel, double* x, std::size_t vectors) {
-  const int m = static_cast<int>(vectors), n = static_cast<int>(panel.n_columns),
-            stride = static_cast<int>(panel.stride);
-  const double one = 1;
-  dtrsm_("R", "L", &transposed, "N", &m, &n, &one, panel.entries, &stride, x, &m, 1, 1, 1, 1);
-}
-
-/// The rows of a panel below its triangle.
-Panel below(const Panel& panel) {
-  return {panel.entries + panel.n_columns, panel.stride, panel.n_rows - panel.n_columns, panel.n_columns};
-}
-
 }  // namespace
 
 void eliminate(const Panel& panel, double* x, std::size_t vectors) {
-  if (vectors == 1) return eliminate_one(panel, x);
-  solve_blas('T', panel, x, vectors);
-  subtract_product(below(panel), x, x + panel.n_columns * static_cast<std::int64_t>(vectors), vectors);
+  vectors == 1 ? eliminate_one(panel, x) : eliminate_several(panel, x, vectors);
 }
 
 void substitute(const Panel& panel, double* x, std::size_t vectors) {
-  if (vectors == 1) return substitute_one(panel, x);
-  subtract_transposed_product(below(panel), x + panel.n_columns * static_cast<std::int64_t>(vectors), x, vectors);
-  solve_blas('N', panel, x, vectors);
+  vectors == 1 ? substitute_one(panel, x) : substitute_several(panel, x, vectors);
 }
 
 void subtract_product(const Panel& panel, const double* from, double* to, std::size_t vectors) {
-  if (vectors == 1) return subtract_product_of_one(panel, from, to);
-  subtract_blas('T', panel, panel.n_rows, panel.n_columns, from, to, vectors);
+  vectors == 1 ? subtract_product_of_one(panel, from, to) : subtract_product_of_several(panel, from, to, vectors);
 }
 
 void subtract_transposed_product(const Panel& panel, const double* from, double* to, std::size_t vectors) {
-  if (vectors == 1) return subtract_transposed_product_of_one(panel, from, to);
-  subtract_blas('N', panel, panel.n_columns, panel.n_rows, from, to, vectors);
+  vectors == 1 ? subtract_transposed_product_of_one(panel, from, to)
+               : subtract_transposed_product_of_several(panel, from, to, vectors);
 }
 
 }  // namespace creepcontact::linalg

@@ -1,7 +1,7 @@
 #pragma once
 /// Products and substitutions with the dense columns of a supernodal factor. Such a column is read once per pass, so
-/// its speed is that of the memory: eight columns are read side by side, and the vectors stay in the cache. With
-/// several vectors the BLAS does the work.
+/// its speed is that of the memory: eight columns are read side by side, and the vectors stay in the cache. Several
+/// vectors take the same operations in the same order, whatever their number.
 ///
 /// A panel is a column-major array L of rows x columns entries, `stride` apart from column to column. Machine
 /// instructions are chosen when the program starts.
@@ -17,7 +17,12 @@ struct Panel {
   std::int64_t n_rows, n_columns;
 };
 
-// The first n_columns rows of the panels of the next two are a lower triangle.
+/// The number of vectors that the kernels take for so many: some of them may be of zeros.
+constexpr std::size_t padded(std::size_t vectors) {
+  return vectors == 1 ? 1 : (vectors + 7) / 8 * 8;
+}
+
+// The first n_columns rows of the panels of the next two are a lower triangle. `vectors` is a padded() number.
 
 /// x1 = L11^-1 x1, then x2 -= L21 x1. @param x  n_rows rows (x1, x2) of `vectors` entries
 void eliminate(const Panel& panel, double* x, std::size_t vectors = 1);

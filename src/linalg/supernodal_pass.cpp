@@ -2,21 +2,15 @@
 
 #include <algorithm>
 #include <cstring>
-#include <numeric>
-#include <stdexcept>
 
 #include "creepcontact/base/index.hpp"
+#include "cut_tree.hpp"
 #include "panel_kernels.hpp"
+#include "strips.hpp"
 
 namespace creepcontact::linalg {
 
 namespace {
-
-/// Subtrees of at most this part of all entries are single tasks: small enough for some ten threads.
-constexpr double cut = 1.0 / 48;
-/// Smaller factors stay in the cache and are not cut.
-constexpr double min_cut = 1 << 17;  // entries
-constexpr std::int64_t panel_width = 128;
 
 /// Panels after panel p are updated in groups: those that other threads wait for first one by one, later ones together,
 /// because long columns are read faster. @param begin  first panel of a group @returns the first after it
@@ -24,66 +18,9 @@ std::size_t next_group(std::size_t p, std::size_t begin, std::size_t n_panels) {
   return std::min(begin + std::max<std::size_t>(1, begin - p - 1), n_panels);
 }
 
-/// The elimination tree of the supernodes.
-struct Tree {
-  explicit Tree(const Supernodes& nodes) : parent(nodes.size(), -1), first(nodes.size()), entries(nodes.size(), 0.0) {
-    std::vector<std::int64_t> supernode_of(nodes.first_column.empty() ? 0 : nodes.first_column.back());
-    for (std::int64_t s = 0; s < nodes.size(); ++s)
-      std::fill(supernode_of.begin() + nodes.first_column[s], supernode_of.begin() + nodes.first_column[s + 1], s);
-    std::iota(first.begin(), first.end(), 0);
-    for (std::int64_t s = 0; s < nodes.size(); ++s) {
-      entries[s] += static_cast<double>(nodes.n_rows(s)) * static_cast<double>(nodes.n_columns(s));
-      if (nodes.n_below(s) == 0) continue;
-      const std::int64_t p = supernode_of[nodes.rows_below(s).front()];
-      if (p <= s) throw std::logic_error("the supernodes are not postordered");
-      parent[s] = p;
-      first[p] = std::min(first[p], first[s]);
-      entries[p] += entries[s];
-    }
-  }
-
-  std::vector<std::int64_t> parent;  // -1: none
-  std::vector<std::int64_t> first;   // the subtree of s is first[s] .. s
-  std::vector<double> entries;       // of the subtree
-};
-
-/// A subtree or a supernode above the subtrees: it passes updates to the rows below its last column.
-struct Branch {
-  std::int64_t root = 0;               // supernode
-  Index parent = -1;                   // branch
-  std::vector<std::int32_t> in_front;  // where the rows below are among the rows of the parent
-  Progress forward_done, backward_done;
-};
-
 }  // namespace
 
-struct SupernodalPass::Impl {
-  struct Subtree {
-    std::size_t branch = 0;
-    std::int64_t first = 0;             // supernode
-    std::vector<std::int32_t> outside;  // of all its supernodes one after the other: rows below the root
-    std::int64_t most_rows = 0;         // of its supernodes
-    std::vector<double> update, work;   // n_below(root), most_rows; per vector of a pass
-  };
-  struct Front;
-  struct Column {  // a panel of columns of a Front
-    std::int64_t begin = 0, end = 0;
-    std::vector<double> update;  // rows end .. n_rows, per vector of a pass
-    Progress progress;
-  };
-  struct Front {
-    std::size_t branch = 0;
-    std::int64_t depth = 0;
-    std::vector<std::size_t> children;  // branches
-    std::vector<double> values;         // n_rows, per vector of a pass
-    std::vector<Column> panels;
-  };
-  struct Task {
-    Subtree* subtree;
-    Front* front;
-    std::size_t panel;
-  };
-
+struct SupernodalPass::Impl : CutTree {
   class Forward final : public TaskList {
    public:
     explicit Forward(Impl& pass) : pass_(pass) {}
@@ -112,9 +49,6 @@ struct SupernodalPass::Impl {
   };
 
   explicit Impl(const Supernodes& supernodes);
-  void cut_tree(const Tree& tree);
-  void place_children();
-  void list_tasks(const Tree& tree);
   Panel panel(std::int64_t s, std::int64_t row, std::int64_t column, std::int64_t n_rows,
               std::int64_t n_columns) const {
     const std::int64_t stride = nodes.n_rows(s);
@@ -127,26 +61,39 @@ struct SupernodalPass::Impl {
   /// Row k of what is given, for all vectors, in the order of the factor if `numbered` is null.
   void load(std::int64_t k, const std::int64_t* numbered, double* row) const {
     const std::int64_t at = numbered != nullptr ? numbered[k] : k;
-    for (std::size_t v = 0; v < width; ++v) row[v] = from[v][at];
+    for (std::size_t v = 0; v < from.size(); ++v) row[v] = from[v][at];
+    for (std::size_t v = from.size(); v < width; ++v) row[v] = 0;
   }
-  // Rows are too short for a call of a library.
+  // Rows are too short for a call of a library, and their length is 1 or a multiple of 8.
   void copy(const double* x_row, double* to) const {
-    constexpr std::size_t piece = 4;
-    std::size_t v = 0;
-    for (; v + piece <= width; v += piece) std::memcpy(to + v, x_row + v, piece * sizeof(double));
-    for (; v < width; ++v) to[v] = x_row[v];
+    if (width == 1) *to = *x_row;
+    for (std::size_t v = 0; v + 8 <= width; v += 8) std::memcpy(to + v, x_row + v, 8 * sizeof(double));
   }
   void add(const double* x_row, double* to) const {
-    for (std::size_t v = 0; v < width; ++v) to[v] += x_row[v];
+    if (width == 1) *to += *x_row;
+    for (std::size_t v = 0; v + 8 <= width; v += 8) {
+      Vector<8> sum, part;
+      linalg::load<8>(to + v, sum);
+      linalg::load<8>(x_row + v, part);
+      sum += part;
+      std::memcpy(to + v, &sum, sizeof sum);
+    }
   }
-  /// Rows begin .. end of the results of a forward pass with several vectors.
+  /// Rows begin .. end of the solution into the results, row k at place(k).
+  template <typename Place>
+  void store(std::int64_t begin, std::int64_t end, const Place& place) const {
+    constexpr std::int64_t in_cache = 32;
+    for (std::int64_t first = begin; first < end; first += in_cache)
+      for (std::size_t v = 0; v < into.size(); ++v)
+        for (std::int64_t k = first; k < std::min(end, first + in_cache); ++k)
+          into[v][place(k)] = solution[k * width + v];
+  }
+  /// For a forward pass with several vectors.
   void store_forward(std::int64_t begin, std::int64_t end) const {
-    for (std::size_t v = 0; v < width; ++v)
-      for (std::int64_t k = begin; k < end; ++k) into[v][k] = solution[k * width + v];
+    store(begin, end, [](std::int64_t k) { return k; });
   }
   void store_backward(std::int64_t begin, std::int64_t end) const {
-    for (std::size_t v = 0; v < width; ++v)
-      for (std::int64_t k = begin; k < end; ++k) into[v][nodes.permutation[k]] = solution[k * width + v];
+    store(begin, end, [this](std::int64_t k) { return nodes.permutation[k]; });
   }
   void forward_subtree(Subtree& subtree);
   void forward_panel(Front& front, std::size_t p);
@@ -154,13 +101,7 @@ struct SupernodalPass::Impl {
   void backward_subtree(Subtree& subtree);
   void backward_panel(Front& front, std::size_t p);
 
-  Supernodes nodes;
-  std::vector<std::unique_ptr<Branch>> branches;
-  std::vector<Subtree> subtrees;
-  std::vector<std::unique_ptr<Front>> fronts;
-  std::vector<Index> front_of, subtree_of;  // of a branch, or -1
-  std::vector<Task> tasks;
-  std::vector<double> work, backward_work;
+  std::vector<double> backward_work;
   /// In the order of the factor, row by row: the back substitution, and the forward pass with several vectors.
   std::vector<double> solution;
   Forward forward{*this};
@@ -168,110 +109,15 @@ struct SupernodalPass::Impl {
 
   // of the pass under way
   const double* factor = nullptr;
-  std::size_t width = 1;  // vectors
+  std::size_t width = 1;  // vectors, padded()
   std::vector<std::span<const double>> from;
   std::vector<std::span<double>> into;
   double* x = nullptr;  // of the forward pass, as `solution`; with one vector what it is to become itself
 };
 
-SupernodalPass::Impl::Impl(const Supernodes& supernodes) : nodes(supernodes) {
-  const Tree tree(nodes);
-  cut_tree(tree);
-  place_children();
-  list_tasks(tree);
+SupernodalPass::Impl::Impl(const Supernodes& supernodes)
+    : CutTree(supernodes), backward_work(work.rbegin(), work.rend()) {
   set_width(1);
-}
-
-void SupernodalPass::Impl::cut_tree(const Tree& tree) {
-  double all = 0;
-  for (std::int64_t s = 0; s < nodes.size(); ++s)
-    if (tree.parent[s] < 0) all += tree.entries[s];
-  const double most = std::max(cut * all, min_cut);
-  std::vector<Index> branch_of(nodes.size(), -1);
-  std::vector<std::int64_t> depth(nodes.size(), 0);
-  for (std::int64_t s = nodes.size() - 1; s >= 0; --s) {  // parents first
-    const std::int64_t p = tree.parent[s];
-    const bool below_a_subtree = p >= 0 && (branch_of[p] < 0 || front_of[branch_of[p]] < 0);
-    if (below_a_subtree) continue;
-    branch_of[s] = std::ssize(branches);
-    branches.push_back(std::make_unique<Branch>());
-    branches.back()->root = s;
-    branches.back()->parent = p < 0 ? -1 : branch_of[p];
-    if (p >= 0) fronts[front_of[branch_of[p]]]->children.push_back(branches.size() - 1);
-    if (tree.entries[s] <= most) {
-      front_of.push_back(-1);
-      subtree_of.push_back(std::ssize(subtrees));
-      subtrees.emplace_back();
-      subtrees.back().branch = branches.size() - 1;
-      subtrees.back().first = tree.first[s];
-      continue;
-    }
-    front_of.push_back(std::ssize(fronts));
-    subtree_of.push_back(-1);
-    fronts.push_back(std::make_unique<Front>());
-    Front& front = *fronts.back();
-    front.branch = branches.size() - 1;
-    depth[s] = p < 0 ? 0 : depth[p] + 1;
-    front.depth = depth[s];
-    const std::int64_t n = nodes.n_columns(s), n_panels = (n + panel_width - 1) / panel_width;
-    front.panels = std::vector<Column>(n_panels);
-    for (std::int64_t k = 0; k < n_panels; ++k) {
-      Column& panel = front.panels[k];
-      panel.begin = n * k / n_panels;
-      panel.end = n * (k + 1) / n_panels;
-    }
-  }
-}
-
-/// Positions of some rows among others; both ascend.
-std::vector<std::int32_t> positions(std::span<const std::int64_t> rows, std::span<const std::int64_t> among) {
-  std::vector<std::int32_t> result;
-  result.reserve(rows.size());
-  std::size_t i = 0;
-  for (const std::int64_t row : rows) {
-    while (i < among.size() && among[i] < row) ++i;
-    if (i == among.size() || among[i] != row) throw std::logic_error("a row of a supernode is missing in its parent");
-    result.push_back(static_cast<std::int32_t>(i));
-  }
-  return result;
-}
-
-void SupernodalPass::Impl::place_children() {
-  for (const auto& branch : branches)
-    if (branch->parent >= 0)
-      branch->in_front = positions(nodes.rows_below(branch->root), nodes.rows_of(branches[branch->parent]->root));
-  for (Subtree& subtree : subtrees) {
-    const std::int64_t root = branches[subtree.branch]->root;
-    const std::span<const std::int64_t> below = nodes.rows_below(root);
-    for (std::int64_t s = subtree.first; s <= root; ++s) {
-      subtree.most_rows = std::max(subtree.most_rows, nodes.n_rows(s));
-      const std::span<const std::int64_t> rows = nodes.rows_below(s);
-      const auto outside = std::ranges::lower_bound(rows, nodes.first_column[root + 1]);
-      const std::vector<std::int32_t> at = positions({outside, rows.end()}, below);
-      subtree.outside.insert(subtree.outside.end(), at.begin(), at.end());
-    }
-  }
-}
-
-void SupernodalPass::Impl::list_tasks(const Tree& tree) {
-  for (std::size_t n = subtrees.size(); n-- > 0;) {  // in the order of the factor
-    tasks.push_back({&subtrees[n], nullptr, 0});
-    work.push_back(tree.entries[branches[subtrees[n].branch]->root]);
-  }
-  // Fronts of the same depth do not need each other: panel by panel in turn.
-  std::vector<Task> of_fronts;
-  for (const auto& front : fronts)
-    for (std::size_t p = 0; p < front->panels.size(); ++p) of_fronts.push_back({nullptr, front.get(), p});
-  std::ranges::stable_sort(of_fronts, [](const Task& a, const Task& b) {
-    return std::pair(-a.front->depth, a.panel) < std::pair(-b.front->depth, b.panel);
-  });
-  for (const Task& task : of_fronts) {
-    tasks.push_back(task);
-    const Column& panel = task.front->panels[task.panel];
-    work.push_back(static_cast<double>(panel.end - panel.begin) *
-                   static_cast<double>(nodes.n_rows(branches[task.front->branch]->root) - panel.begin));
-  }
-  backward_work.assign(work.rbegin(), work.rend());
 }
 
 void SupernodalPass::Impl::set_width(std::size_t vectors) {
@@ -291,7 +137,7 @@ void SupernodalPass::Impl::set_width(std::size_t vectors) {
 
 void SupernodalPass::Impl::begin(const double* entries, std::span<const std::span<const double>> given,
                                  std::span<const std::span<double>> results) {
-  if (given.size() != width) set_width(given.size());
+  if (padded(given.size()) != width) set_width(padded(given.size()));
   factor = entries;
   from.assign(given.begin(), given.end());
   into.assign(results.begin(), results.end());

@@ -1,6 +1,7 @@
 #pragma once
 /// Strain rates along the stress deviator: 3/2 (f/q) s, f the equivalent rate.
 
+#include "creepcontact/base/instruction_sets.hpp"
 #include "creepcontact/material/creep_law.hpp"
 
 namespace creepcontact::material {
@@ -13,7 +14,7 @@ struct Deviator {
   double q;  ///< von Mises equivalent stress
 };
 
-inline Deviator deviator(const tensor::ConstMap& stress) {
+CREEPCONTACT_INLINE Deviator deviator(const tensor::ConstMap& stress) {
   Deviator d{tensor::deviator(stress), 0.0};
   d.q = std::sqrt(1.5) * d.s.norm();
   return d;

@@ -167,7 +167,7 @@ class FieldMeasure final : public CriterionMeasure {
       const BodyFields& fields = snapshot.fields(of.body);
       const std::size_t n = at_nodes ? fields.n_nodes() : fields.n_points();
       for (std::size_t p = 0; p < n; ++p) {
-        const Sample sample = at_nodes ? fields.moved_node(p) : fields.at_point(p);
+        const Sample sample = at_nodes ? snapshot.moved_node(of.body, p) : fields.at_point(p);
         if (is_left_out(sample.position)) continue;
         const double found = quantity_.value(sample);
         if (!std::isfinite(found)) continue;

@@ -44,11 +44,11 @@ class PointProbe final : public Probe {
  private:
   double own_value(Snapshot& snapshot) const {
     Sample sample;
-    const BodyFields& fields = snapshot.fields(body_);
     for (std::size_t i = 0; i < location_.nodes.size(); ++i)
-      sample.displacement += location_.weights[i] * fields.moved_node(location_.nodes[i]).displacement;
+      sample.displacement += location_.weights[i] * snapshot.moved_node(body_, location_.nodes[i]).displacement;
     sample.position = location_.position;
     if (is_nodal(quantity_)) return quantity_(sample);
+    const BodyFields& fields = snapshot.fields(body_);
     for (const auto& [point, weight] : points_) {
       const Sample at_point = fields.at_point(point);
       sample.stress += weight * at_point.stress;
@@ -87,11 +87,11 @@ class NodesProbe final : public Probe {
   double value(Snapshot& snapshot) const override {
     Reduction reduction(reduce_);
     const bool at_nodes = is_nodal(quantity_);
-    for (const Part& part : parts_) {
-      const BodyFields& fields = snapshot.fields(part.body);
+    for (const Part& part : parts_)
       for (const auto& [node, weight] : part.nodes)
-        reduction.add(quantity_(at_nodes ? fields.moved_node(node) : fields.at_node(node)), weight);
-    }
+        reduction.add(
+            quantity_(at_nodes ? snapshot.moved_node(part.body, node) : snapshot.fields(part.body).at_node(node)),
+            weight);
     return reduction.result(snapshot.assembly().team());
   }
 
@@ -110,11 +110,11 @@ class VolumeProbe final : public Probe {
       : body_(body), places_(std::move(places)), quantity_(std::move(quantity)), reduce_(reduce) {}
 
   double value(Snapshot& snapshot) const override {
-    const BodyFields& fields = snapshot.fields(body_);
     Reduction reduction(reduce_);
     const bool at_nodes = is_nodal(quantity_);
     for (const auto& [place, weight] : places_)
-      reduction.add(quantity_(at_nodes ? fields.moved_node(place) : fields.at_point(place)), weight);
+      reduction.add(quantity_(at_nodes ? snapshot.moved_node(body_, place) : snapshot.fields(body_).at_point(place)),
+                    weight);
     return reduction.result(snapshot.assembly().team());
   }
 

@@ -27,8 +27,8 @@ bool has_normal_force(const contact::Pair& pair) {
 double largest_von_mises(const std::vector<double>& stress) {
   double largest = 0;
   for (std::size_t i = 0; i < stress.size(); i += 6)
-    largest = std::max(largest, tensor::von_mises(tensor::ConstMap(&stress[i])));
-  return largest;
+    largest = std::max(largest, tensor::squared_von_mises(tensor::ConstMap(&stress[i])));
+  return std::sqrt(largest);
 }
 
 void enlarge(double time, double value, io::Summary::Course& course) {

@@ -124,11 +124,6 @@ const BodyFields::Nodal& BodyFields::nodal() const {
   return at_nodes;
 }
 
-Sample BodyFields::moved_node(std::size_t node) const {
-  return {.position = body_.mesh().nodes[node],
-          .displacement = Eigen::Map<const Vector3>(state_.displacement.data() + 3 * node)};
-}
-
 Sample BodyFields::at_node(std::size_t node) const {
   using enum PointField;
   const Nodal& at_nodes = nodal();
@@ -157,6 +152,12 @@ Sample BodyFields::at_point(std::size_t point) const {
 Snapshot::Snapshot(const creep::BodyLaws& laws, const contact::CondensedInterface& interface, double time,
                    const creep::Evaluation& at)
     : laws_(laws), interface_(interface), time_(time), at_(at) {}
+
+Sample Snapshot::moved_node(std::size_t body, std::size_t node) const {
+  const std::vector<double>& displacement = at_.equilibrium.bodies[body].displacement;
+  return {.position = assembly().bodies()[body].mesh().nodes[node],
+          .displacement = Eigen::Map<const Vector3>(displacement.data() + 3 * node)};
+}
 
 const BodyFields& Snapshot::fields(std::size_t body) {
   const auto found = fields_.find(body);

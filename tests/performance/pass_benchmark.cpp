@@ -78,6 +78,19 @@ class Factors {
     linalg::forward(forward);
     linalg::backward(backward);
   }
+  /// The same for several vectors.
+  void pass_of_several(std::size_t vectors) {
+    others_.resize(vectors, right_);
+    for (const linalg::PassDirection direction : {linalg::PassDirection::forward, linalg::PassDirection::backward}) {
+      std::vector<linalg::TaskList*> lists;
+      for (std::size_t b = 0; b < factors_.size(); ++b) {
+        std::vector<linalg::PassVector> in_place;
+        for (auto& vector : others_) in_place.push_back({vector[b], vector[b]});
+        lists.push_back(&factors_[b]->solver().tasks_of_several(direction, in_place));
+      }
+      linalg::run(lists, linalg::pass_in_parallel_from);
+    }
+  }
   void cholmod_pass() {
     for (const auto& factor : cholmod_) factor->pass();
   }
@@ -108,6 +121,7 @@ class Factors {
   std::vector<std::unique_ptr<mechanics::FactoredBody>> factors_;
   std::vector<std::unique_ptr<CholmodFactor>> cholmod_;
   std::vector<std::vector<double>> right_, left_;
+  std::vector<std::vector<std::vector<double>>> others_;
   double bytes_ = 0;
 };
 
@@ -139,6 +153,23 @@ BENCHMARK(pass)
     ->ArgsProduct({{300, 160, 120, 95}, {1, 2}})  // 13, 44, 79 and 140 thousand unknowns; threads
     ->Unit(benchmark::kMillisecond)
     ->Iterations(12);
+
+/// `of_single` is the time for one of the vectors against that of a pass for it alone.
+void pass_of_several(benchmark::State& state) {
+  Factors& all = factors(state.range(0));
+  const auto vectors = static_cast<std::size_t>(state.range(1));
+  omp_set_num_threads(1);
+  double together = 1e300, alone = 1e300;
+  for ([[maybe_unused]] auto _ : state) {
+    together = std::min(together, min_seconds(1, [&] { all.pass_of_several(vectors); }));
+    alone = std::min(alone, min_seconds(1, [&] { all.pass(); }));
+  }
+  state.counters["of_single"] = together / (alone * static_cast<double>(vectors));
+}
+BENCHMARK(pass_of_several)
+    ->ArgsProduct({{300, 160, 120}, {4, 8, 16, 32}})  // unknowns as above; vectors
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(8);
 
 }  // namespace
 }  // namespace creepcontact::test

@@ -32,6 +32,7 @@ class GatheredPasses {
   struct Counters {
     std::int64_t passes = 0;   ///< through the factors
     std::int64_t vectors = 0;  ///< for which they were made
+    double seconds = 0;        ///< of processor time that they took
   };
   Counters counters() const;
 

@@ -52,8 +52,6 @@ class BodyFields {
   std::size_t n_nodes() const { return body_.mesh().n_cell_nodes(); }
   std::size_t n_points() const { return body_.discretization().n_points(); }
   Sample at_node(std::size_t node) const;
-  /// Position and displacement alone; costs nothing else.
-  Sample moved_node(std::size_t node) const;
   /// The displacement is a nodal field and not available here: it is zero.
   Sample at_point(std::size_t point) const;
   const mechanics::Body& body() const { return body_; }
@@ -93,6 +91,8 @@ class Snapshot {
   const creep::Assembly& assembly() const { return laws_.assembly(); }
   const creep::Equilibrium& equilibrium() const { return at_.equilibrium; }
   bool has(const material::StateVariable& variable) const { return laws_.has(variable); }
+  /// Position and displacement alone, which need no fields.
+  Sample moved_node(std::size_t body, std::size_t node) const;
   /// Fields of a body; computed at the first call.
   const BodyFields& fields(std::size_t body);
   /// What passes the nodes of contact, of all pairs; empty unless the temperature is computed. Computed at the first

@@ -112,10 +112,12 @@ double ContactEdge::mean_to_punch(int row, const std::map<int, Edge>& edges) con
 /// Distance of an open row next to a closed one, outwards from the edge, in edge lengths.
 double ContactEdge::distance_to(int row, const Edge& edge, const State& state) const {
   const double to_punch = edge.to_punch;
+  const Vector3 origin = grid_.position(row), outward = edge.outward / edge.length;
+  const double bend = edge.curvature * edge.length / 2, square = 1 / (edge.length * edge.length);
   const auto from_punch = [&](const Vector3& position) {
-    const Vector3 x = (position - grid_.position(row)) / edge.length;
-    const double out = edge.outward.dot(x);
-    return to_punch + out + edge.curvature * edge.length * (x.squaredNorm() - out * out) / 2;
+    const Vector3 x = position - origin;
+    const double out = outward.dot(x);
+    return to_punch + out + bend * (x.squaredNorm() * square - out * out);
   };
   std::vector<int> fitted;
   for (const int other : open_around(row, rows_fitted - 1, state)) {
@@ -132,10 +134,16 @@ double ContactEdge::distance_to(int row, const Edge& edge, const State& state) c
   Eigen::VectorXd gaps = Eigen::VectorXd::Zero(n + 1);
   for (Index k = 0; k < n; ++k) {
     const int other = fitted[k];
+    double first = 0, second = 0, third = 0;  // of d^(3/2), d^(1/2) and d^(5/2)
     for (contact::RowMatrix::InnerIterator it(coupling_.gap_weights, grid_.own(other)); it; ++it) {
       const double d = from_punch(grid_.image_near(other, coupling_.gap_points[it.col()]));
-      if (d > 0) matrix.row(k) += it.value() * std::sqrt(d) * Eigen::RowVector3d(d, 1, d * d);
+      if (!(d > 0)) continue;
+      const double root = it.value() * std::sqrt(d);
+      first += root * d;
+      second += root;
+      third += root * d * d;
     }
+    matrix.row(k) << first, second, third;
     matrix.row(k) /= coupling_.area[grid_.own(other)];
     const bool next = std::ranges::any_of(grid_.around(other), [&](int r) { return state.is_closed(r); });
     const double d = from_punch(grid_.position(other)), weight = (next ? weight_next : 1) / (d * std::sqrt(d));

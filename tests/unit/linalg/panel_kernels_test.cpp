@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <array>
 #include <random>
 #include <vector>
 
@@ -86,7 +87,9 @@ TEST_F(PanelKernels, Substitutions) {
 
 TEST_F(PanelKernels, SeveralVectorsAreThoseOfOneAtATime) {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  for (const std::size_t vectors : {2, 5, 16})
+  for (const auto& [given, padding] : {std::pair{1, 1}, {2, 8}, {8, 8}, {9, 16}, {17, 24}})
+    EXPECT_EQ(padded(static_cast<std::size_t>(given)), static_cast<std::size_t>(padding));
+  for (const std::size_t vectors : {8, 16, 24})
     for_each_shape([&](Index rows, Index columns) {
       const Index n = static_cast<Index>(vectors);
       const Eigen::MatrixXd l = matrix(rows, columns), t = trapezoid(rows, columns);
@@ -111,6 +114,27 @@ TEST_F(PanelKernels, SeveralVectorsAreThoseOfOneAtATime) {
         substitute(panel(t), one.data());
         EXPECT_LE((substituted.col(v) - one).lpNorm<Eigen::Infinity>(), 1e-11);
       }
+    });
+}
+
+TEST_F(PanelKernels, TheNumberOfOtherVectorsChangesNoBit) {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  for (const std::size_t vectors : {16, 24})
+    for_each_shape([&](Index rows, Index columns) {
+      const Eigen::MatrixXd l = matrix(rows, columns), t = trapezoid(rows, columns);
+      const Rows x = matrix(columns, 24), y = matrix(rows, 24), both = matrix(columns + rows, 24);
+      const auto first_eight = [&](std::size_t of) {
+        const Index n = static_cast<Index>(of);
+        const Rows from_x = x.leftCols(n), from_y = y.leftCols(n);
+        std::array<Rows, 4> results{from_y, from_x, both.leftCols(n), both.leftCols(n)};
+        subtract_product(panel(l), from_x.data(), results[0].data(), of);
+        subtract_transposed_product(panel(l), from_y.data(), results[1].data(), of);
+        eliminate(panel(t), results[2].data(), of);
+        substitute(panel(t), results[3].data(), of);
+        for (Rows& result : results) result = Rows(result.leftCols(8));
+        return results;
+      };
+      EXPECT_EQ(first_eight(vectors), first_eight(8));
     });
 }
 
