@@ -117,6 +117,9 @@ class Fit:
     warnings: list[str]
     report: str = field(repr=False)  #: what the command prints
     toml: str = field(repr=False)  #: the material block for a configuration
+    #: factor of each batch on one constant, if the data have a column `batch`; the constants are those of the mean batch
+    batches: dict[str, float] = field(default_factory=dict)
+    batch_deviation: float | None = None  #: from batch to batch, of the logarithm of that constant
 
 
 def fit(data: str | os.PathLike[str], law: str, *, set: Mapping[str, Any] | None = None, free: Sequence[str] = (),
@@ -131,4 +134,5 @@ def fit(data: str | os.PathLike[str], law: str, *, set: Mapping[str, Any] | None
     found = _core.fit(data, law, held, list(free), young_modulus, temperature)
     bar = found.pop("bar")
     return Fit(Material(law, bar, has_elasticity=young_modulus is not None), found["values"], found["low"], found["high"],
-               found["units"], found["correlation"], found["deviation"], found["warnings"], found["report"], found["block"])
+               found["units"], found["correlation"], found["deviation"], found["warnings"], found["report"], found["block"],
+               found["batches"], found["batch_deviation"])

@@ -37,36 +37,10 @@ void PointPreconditioner::apply(double gamma, std::span<const double> r, std::sp
                            [&](std::size_t p) { locals_[p].apply(gamma, &r[6 * p], &z[6 * p]); });
 }
 
-namespace {
-
-/// PointPreconditioner::apply() at one point, without a root.
-/// @param stress, r, z  six numbers each
-inline void apply_at(const double* stress, const material::Moduli& moduli, const material::StressTangent& tangent,
-                     double gamma, const double* r, double* z) {
-  const double a = 2 * gamma * moduli.mu * tangent.deviatoric, b = 2 * gamma * moduli.mu * tangent.radial;
-  const double mean_stress = (stress[0] + stress[1] + stress[2]) / 3, mean = (r[0] + r[1] + r[2]) / 3;
-  std::array<double, 6> s, d;
-  double along = 0, square = 0;
-#pragma GCC unroll 6
-  for (std::size_t i = 0; i < 6; ++i) {
-    s[i] = i < 3 ? stress[i] - mean_stress : stress[i];
-    d[i] = i < 3 ? r[i] - mean : r[i];
-    along += s[i] * d[i];
-    square += s[i] * s[i];
-  }
-  const double back = square > 0 ? b * along / ((1 + a + b) * square) : 0, inverse = 1 / (1 + a);
-  const double volumetric = mean / (1 + gamma * (3 * moduli.lambda + 2 * moduli.mu) * tangent.volumetric);
-#pragma GCC unroll 6
-  for (std::size_t i = 0; i < 6; ++i) z[i] = (d[i] - back * s[i]) * inverse + (i < 3 ? volumetric : 0);
-}
-
-}  // namespace
-
 void PointPreconditioner::apply_once(const PointsState& at, std::span<const material::StressTangent> tangents,
                                      double gamma, std::span<const double> r, std::span<double> z) {
-  numerics::for_each_index(tangents.size(), numerics::parallel_points, [&](std::size_t p) {
-    apply_at(&at.stress[6 * p], at.elastic.at(p), tangents[p], gamma, &r[6 * p], &z[6 * p]);
-  });
+  numerics::for_each_index(tangents.size(), numerics::parallel_points,
+                           [&](std::size_t p) { Local(at, tangents[p], p).apply(gamma, &r[6 * p], &z[6 * p]); });
 }
 
 }  // namespace creepcontact::creep

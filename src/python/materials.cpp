@@ -202,6 +202,12 @@ py::dict fit_data(const std::filesystem::path& file, const fit::LawWishes& wishe
   all["report"] = fit::report(data, choice, result);
   all["block"] = fit::material_block(data, choice, result, {});
   all["warnings"] = warnings;
+  py::dict batches;
+  if (result.batches)
+    for (const fit::BatchScatter::Batch& batch : result.batches->batches)
+      batches[py::str(batch.name)] = std::exp(batch.difference);
+  all["batches"] = batches;
+  all["batch_deviation"] = result.batches ? py::cast(result.batches->deviation) : py::none();
   material::Material made;
   made.name = wishes.law;
   made.young_modulus = reading.young_modulus.value_or(Function(1));

@@ -104,7 +104,7 @@ std::vector<creep::EquilibriumChange> LinearDerivatives::respond(const creep::Ev
 }
 
 bool LinearDerivatives::laws_differ(std::size_t k, std::size_t body) const {
-  // Constants that are no parameters at points, and axes of the material, show in the key alone.
+  // Constants that points do not see, and axes of the material, show in the key alone.
   const std::string &key = values()[k].key, &material = solver_.assembly().bodies()[body].material().name;
   if (key.starts_with("bodies.") || key.starts_with(fmt::format("materials.{}.", material))) return true;
   if (key.starts_with("materials.\"")) return true;  // a name in quotes
@@ -220,6 +220,8 @@ bool LinearDerivatives::opens_or_closes(const creep::Equilibrium& at, const cree
 }
 
 std::vector<Derivatives::OfProbes> LinearDerivatives::of_probes(double t, std::span<const double> whole) {
+  // The results of the start come before the integration begins.
+  if (preloaded_until_ < 0) pass_breakpoint(t, whole);
   const creep::Evaluation& at = base().evaluate_output(t, block(whole, 0));
   const std::vector<creep::EquilibriumChange> changes = respond(at, whole);
   std::vector<OfProbes> result(values().size());
