@@ -24,6 +24,29 @@ std::vector<T> list_of(const toml::node_view<const toml::node>& node, std::size_
   return all;
 }
 
+/// What differs from batch to batch adds to how well the readings determine a constant: samples are of new batches.
+/// @returns false if [batches] is not as it should be
+bool add_batches(const toml::table& content, FittedScatter& scatter) {
+  if (!content.contains("batches")) return true;
+  const auto key = content["batches"]["key"].value<std::string>();
+  const auto deviation = content["batches"]["deviation"].value<double>();
+  const toml::array* const names = content["batches"]["names"].as_array();
+  for (std::size_t i = 0; key && deviation && names != nullptr && i < scatter.constants.size(); ++i) {
+    FittedConstant& constant = scatter.constants[i];
+    if (constant.key != *key || !constant.is_logarithmic || !(*deviation >= 0) || names->size() < 2) continue;
+    const double of_mean = *deviation / std::sqrt(static_cast<double>(names->size()));
+    const double all = std::hypot(constant.deviation, *deviation, of_mean), share = constant.deviation / all;
+    constant.deviation = all;
+    for (std::size_t j = 0; j < scatter.constants.size(); ++j)
+      if (j != i) {
+        scatter.correlation[i][j] *= share;
+        scatter.correlation[j][i] *= share;
+      }
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<FittedScatter> read_fitted_scatter(const std::filesystem::path& file, const Location& place,
@@ -55,7 +78,11 @@ std::optional<FittedScatter> read_fitted_scatter(const std::filesystem::path& fi
     return std::nullopt;
   }
   for (std::size_t i = 0; i < n; ++i) scatter.constants.push_back({keys[i], values[i], logarithmic[i], deviations[i]});
-  return scatter;
+  const bool is_added = add_batches(content, scatter);
+  if (!is_added)
+    errors.add(place, fmt::format("[batches] of '{}' does not hold the scatter of one of its constants", file.string()),
+               "the file that `creepcontact fit` writes");
+  return is_added ? std::optional(scatter) : std::nullopt;
 }
 
 }  // namespace creepcontact::config

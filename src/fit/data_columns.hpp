@@ -11,8 +11,20 @@
 namespace creepcontact::fit {
 
 /// What a column may hold. Times come before the rate, whose unit of time follows theirs.
-enum class ColumnRole { time, stress, strain, creep_strain, total_strain, temperature, test, kind, rupture, rate };
-inline constexpr int n_column_roles = 10;
+enum class ColumnRole {
+  time,
+  stress,
+  strain,
+  creep_strain,
+  total_strain,
+  temperature,
+  test,
+  batch,
+  kind,
+  rupture,
+  rate
+};
+inline constexpr int n_column_roles = 11;
 
 /// The columns of a file.
 class DataColumns {

@@ -49,6 +49,7 @@ class RowReader {
     right_ = true;
     into.line = row.line;
     into.test = text(ColumnRole::test);
+    into.batch = text(ColumnRole::batch);
     into.time = number(ColumnRole::time, 0);
     into.rate = number(ColumnRole::rate);
     into.rupture = number(ColumnRole::rupture);
@@ -110,6 +111,7 @@ class RowReader {
   }
 
   void require_all(DataRow& row, const std::optional<double>& stress, const std::optional<double>& temperature) {
+    if (columns_[ColumnRole::batch]) require(!row.batch.empty(), "has no batch");
     if (columns_[ColumnRole::temperature]) require(temperature.has_value(), "has no temperature");
     row.temperature = temperature.value_or(0);
     if (!stress)

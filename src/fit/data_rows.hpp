@@ -31,7 +31,7 @@ class RowMistakes {
 struct DataRow {
   int line = 0;
   std::optional<TestKind> kind;  ///< nullopt: only a time to rupture in its own column
-  std::string test;
+  std::string test, batch;
   double stress = 0, temperature = 0;
   std::optional<double> time, strain, rate, rupture;
   bool strain_is_total = false;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "batches.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "law_response.hpp"
@@ -59,19 +60,23 @@ class Search {
         choice_(choice),
         young_modulus_(young_modulus),
         space_(choice, data),
+        batches_(data, choice, space_),
         response_(data, young_modulus) {
     for (const Test& test : data.tests) kinds_.insert(kinds_.end(), test.readings.size(), test.kind);
     weights_.fill(1);
-    problem_ = {[this](const Eigen::VectorXd& x) { return weighted(x); }, space_.lower(), space_.upper()};
+    problem_ = {[this](const Eigen::VectorXd& x) { return weighted(x); }, batches_.extended(space_.lower(), -1),
+                batches_.extended(space_.upper(), 1)};
   }
 
   FitResult run() {
-    if (data_.n_readings() <= static_cast<int>(space_.size()))
-      throw ConfigError(fmt::format("{}: {} readings for {} parameters; allowed: more readings than parameters",
-                                    data_.file, data_.n_readings(), space_.size()));
+    const std::size_t n_unknowns = space_.size() + batches_.n_unknowns();
+    if (data_.n_readings() <= static_cast<int>(n_unknowns))
+      throw ConfigError(fmt::format("{}: {} readings for {} parameters{}; allowed: more readings than parameters",
+                                    data_.file, data_.n_readings(), n_unknowns,
+                                    batches_.n_unknowns() > 0 ? ", those of the batches included" : ""));
     FitResult result;
-    Minimum minimum = first_minimum(result);
-    result.law = space_.law(minimum.x);
+    Minimum minimum = with_batches(first_minimum(result));
+    result.law = space_.law(minimum.x.head(static_cast<Eigen::Index>(space_.size())));
     if (const std::string reason = response_.why_impossible(result.law); !reason.empty())
       throw ConfigError(fmt::format("{}: law '{}': {}", data_.file, choice_.info->name, reason));
     for (int round = 0; round < weighted_rounds && weigh(minimum); ++round)
@@ -84,7 +89,7 @@ class Search {
   std::optional<std::vector<double>> weighted(const Eigen::VectorXd& x) const {
     std::optional<std::vector<double>> residuals;
     try {
-      residuals = response_.residuals(space_.law(x));
+      residuals = response_.residuals(batches_.laws(x));
     } catch (const material::ParameterError&) {
       return std::nullopt;  // within their ranges, but not possible together
     }
@@ -105,30 +110,38 @@ class Search {
   /// If there are many readings, some of them suffice to find the neighbourhood of the minimum; all of them then refine
   /// it.
   Minimum first_minimum(FitResult& result) const {
-    if (data_.n_readings() <= many_readings) return best_minimum(problem_, result);
+    const LeastSquares all{problem_.residuals, space_.lower(), space_.upper()};  // as if of one batch
+    if (data_.n_readings() <= many_readings) return best_minimum(all, result);
     const TestData some = thinned(data_, many_readings / 4);
     log::info("fit: {} readings; the search for the minimum begins with {} of them", data_.n_readings(),
               some.n_readings());
     const LawResponse of_some(some, young_modulus_);
     const LeastSquares problem{[&](const Eigen::VectorXd& x) -> std::optional<std::vector<double>> {
                                  try {
-                                   return of_some.residuals(space_.law(x));
+                                   return of_some.residuals(std::vector{space_.law(x)});
                                  } catch (const material::ParameterError&) {
                                    return std::nullopt;
                                  }
                                },
-                               problem_.lower, problem_.upper};
+                               all.lower, all.upper};
     const Minimum near = best_minimum(problem, result);
     const auto begin = std::chrono::steady_clock::now();
-    static_cast<void>(problem_.residuals(near.x));
+    static_cast<void>(all.residuals(near.x));
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const double evaluations = likely_iterations * (2.0 * static_cast<double>(space_.size()) + 1);
     log::info("fit: {} searches have ended; the last one takes all readings, some {:.0f} s ({:.0f} x {:.2f} s)",
               result.n_starts, evaluations * seconds, evaluations, seconds);
-    if (auto found = minimize(problem_, near.x, max_iterations)) return std::move(*found);
+    if (auto found = minimize(all, near.x, max_iterations)) return std::move(*found);
     log::info("fit: the law is not defined there for all readings; the search begins again with all of them");
     result.n_starts = result.n_agreeing = 0;
-    return best_minimum(problem_, result);
+    return best_minimum(all, result);
+  }
+
+  /// The minimum with the differences of the batches as unknowns.
+  Minimum with_batches(Minimum minimum) const {
+    if (batches_.n_unknowns() == 0) return minimum;
+    if (auto found = minimize(problem_, batches_.extended(minimum.x, 0), max_iterations)) return std::move(*found);
+    throw SolverError(fmt::format("{}: the law is not defined for the batches apart", data_.file));
   }
 
   Minimum best_minimum(const LeastSquares& problem, FitResult& result) const {
@@ -167,7 +180,8 @@ class Search {
 
   /// Kinds of readings that scatter differently count by their scatter. @returns false if there is one kind alone
   bool weigh(const Minimum& minimum) {
-    const double dof = static_cast<double>(kinds_.size() - space_.size()) / static_cast<double>(kinds_.size());
+    const double dof = static_cast<double>(kinds_.size() - static_cast<std::size_t>(minimum.x.size())) /
+                       static_cast<double>(kinds_.size());
     std::array<double, n_test_kinds> sums{}, numbers{};
     double pooled = 0;
     for (std::size_t i = 0; i < kinds_.size(); ++i) {
@@ -188,8 +202,8 @@ class Search {
   }
 
   void describe(const Minimum& minimum, FitResult& result) {
-    result.law = space_.law(minimum.x);
-    const auto residuals = response_.residuals(result.law);
+    result.law = space_.law(minimum.x.head(static_cast<Eigen::Index>(space_.size())));
+    const auto residuals = response_.residuals(batches_.laws(minimum.x));
     std::size_t next = 0;
     for (const Test& test : data_.tests) {
       KindResiduals& kind = result.kinds[static_cast<std::size_t>(test.kind)];
@@ -202,13 +216,16 @@ class Search {
     for (KindResiduals& kind : result.kinds)
       if (kind.n > 0) kind.deviation = std::sqrt(kind.deviation / kind.n);
     result.range = data_.range();
-    add_uncertainty(data_, space_, problem_, minimum, result);
+    const Eigen::MatrixXd covariance = add_uncertainty(data_, space_, problem_, minimum, result);
+    if (batches_.n_unknowns() > 0) result.batches = batches_.scatter(minimum.x, covariance);
+    warn_of_batches(result);
   }
 
   const TestData& data_;
   const LawChoice& choice_;
   const std::optional<Function>& young_modulus_;
   ParameterSpace space_;
+  Batches batches_;
   LawResponse response_;
   std::vector<TestKind> kinds_;  // per residual
   std::array<double, n_test_kinds> weights_;

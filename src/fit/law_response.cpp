@@ -139,11 +139,11 @@ std::vector<double> LawResponse::curve(const LawPointer& law, const Test& test,
   return values;
 }
 
-std::optional<std::vector<double>> LawResponse::residuals(const LawPointer& law) const {
+std::optional<std::vector<double>> LawResponse::residuals(std::span<const LawPointer> laws) const {
   std::vector<double> all;
   all.reserve(static_cast<std::size_t>(n_readings_));
   for (const Test& test : data_.tests) {
-    const std::vector<double> values = predicted(law, test);
+    const std::vector<double> values = predicted(laws.size() > 1 ? laws[test.batch] : laws.front(), test);
     if (values.size() != test.readings.size()) return std::nullopt;
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double residual = std::log((test.readings[i].value + test.floor) / (values[i] + test.floor));

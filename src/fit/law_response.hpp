@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "creepcontact/base/function.hpp"
@@ -20,8 +21,8 @@ class LawResponse {
   int n_readings() const { return n_readings_; }
   /// Logarithms of measured to predicted values, of all readings in turn; those of creep strains with the floor of
   /// their test added to both.
-  /// @returns nullopt if the law gives no finite values
-  std::optional<std::vector<double>> residuals(const std::shared_ptr<const material::CreepLaw>& law) const;
+  /// @param laws  one, or one for each batch of the data @returns nullopt if a law gives no finite values
+  std::optional<std::vector<double>> residuals(std::span<const std::shared_ptr<const material::CreepLaw>> laws) const;
   /// Predicted values of one test; empty if the law gives none. Beyond rupture the strain goes on as a steep power of
   /// time, so that a law that ruptures too early is drawn to a later time.
   std::vector<double> predicted(const std::shared_ptr<const material::CreepLaw>& law, const Test& test) const;

@@ -41,6 +41,18 @@ std::string correlation_table(const FitResult& result) {
   return text + "\n";
 }
 
+std::string batches_table(const BatchScatter& scatter) {
+  std::string text = fmt::format("factor on {} of each batch\n", scatter.key);
+  std::size_t width = 12;
+  for (const BatchScatter::Batch& batch : scatter.batches) width = std::max(width, batch.name.size() + 2);
+  for (const BatchScatter::Batch& batch : scatter.batches)
+    text += fmt::format("  {:<{}}{:>9.3g}   determined within a factor of {:.3g}; {} test{}\n", one_line(batch.name),
+                        width, std::exp(batch.difference), std::exp(batch.deviation), batch.n_tests,
+                        batch.n_tests == 1 ? "" : "s");
+  return text + fmt::format("  from batch to batch: a factor of {:.3g} for one standard deviation\n",
+                            std::exp(scatter.deviation));
+}
+
 std::string counted(int n, const std::string& what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
@@ -80,6 +92,7 @@ std::string report(const TestData& data, const LawChoice& choice, const FitResul
   for (const auto& [key, value] : choice.set) text += fmt::format("{:<20}{:>14}   held\n", key, value);
   text += '\n';
   if (result.parameters.size() > 1) text += correlation_table(result) + '\n';
+  if (result.batches) text += batches_table(*result.batches) + '\n';
   text += "residuals, measured against fitted values (root mean square)\n";
   for (int k = 0; k < n_test_kinds; ++k) {
     const KindResiduals& kind = result.kinds[static_cast<std::size_t>(k)];
@@ -171,14 +184,27 @@ std::string scatter_block(const TestData& data, const LawChoice& choice, const F
     for (const Eigen::Index j : known) row.push_back(i == j ? "1.0" : fmt::format("{}", result.correlation(i, j)));
     rows.push_back(fmt::format("  [{}]", fmt::join(row, ", ")));
   }
+  std::string batches;
+  if (result.batches) {
+    std::vector<std::string> names, factors;
+    for (const BatchScatter::Batch& batch : result.batches->batches) {
+      names.push_back(toml_string(batch.name));
+      factors.push_back(fmt::format("{:.6g}", std::exp(batch.difference)));
+    }
+    batches = fmt::format(
+        "\n# How batches differ: the standard deviation of the logarithm of one constant from batch to batch. The "
+        "constants\n# above are those of the mean batch.\n[batches]\nkey = {}\ndeviation = {}\nnames = [{}]\nfactors = "
+        "[{}]\n",
+        toml_string(result.batches->key), result.batches->deviation, fmt::join(names, ", "), fmt::join(factors, ", "));
+  }
   return fmt::format(
       "{} to {}: {}.\n# How well the readings determine the constants, for `fit` in a study's [[random.keys]]. Units: "
       "{}.\nlaw = {}\nkeys = [{}]\nvalues = [{}]\n# Standard deviations, of the logarithm where `logarithmic` says "
       "so.\n"
-      "logarithmic = [{}]\ndeviations = [{}]\ncorrelation = [\n{}\n]\n",
+      "logarithmic = [{}]\ndeviations = [{}]\ncorrelation = [\n{}\n]\n{}",
       block_heading, one_line(data.file), basis(data, result), units_line(data.units), toml_string(choice.info->name),
       fmt::join(keys, ", "), fmt::join(values, ", "), fmt::join(logarithmic, ", "), fmt::join(deviations, ", "),
-      fmt::join(rows, ",\n"));
+      fmt::join(rows, ",\n"), batches);
 }
 
 }  // namespace creepcontact::fit

@@ -66,6 +66,7 @@ class TestCollector {
       });
     }
     std::erase_if(data_.tests, [](const Test& test) { return test.readings.empty(); });
+    keep_used_batches();
     if (!not_positive_.empty())
       data_.notes.push_back(
           fmt::format("{} readings that are zero or negative after the start are left out, in lines {}",
@@ -75,16 +76,31 @@ class TestCollector {
  private:
   std::string label(const DataRow& row) const {
     if (!row.test.empty()) return row.test;
-    return data_.load(row.stress, row.temperature);
+    return data_.load(row.stress, row.temperature) + (row.batch.empty() ? "" : ", " + row.batch);
   }
 
   Test started(const DataRow& row, TestKind kind) {
     Test test{.name = label(row), .kind = kind, .stress = row.stress, .temperature = row.temperature};
     test.is_named = !row.test.empty();
+    if (!row.batch.empty()) test.batch = batch_number(row.batch);
     test.same_specimen = test.is_named && specimens_.contains(row.test);
     if (row.test.empty() && (kind == TestKind::creep || kind == TestKind::relaxation))
       if (const int same = like_named_[index(kind)][test.name]; same > 0) test.name += fmt::format(" ({})", same + 1);
     return test;
+  }
+
+  /// Batches that have tests, if these are several.
+  void keep_used_batches() {
+    const std::vector<std::string> all = std::exchange(data_.batches, {});
+    for (Test& test : data_.tests)
+      if (!all.empty()) test.batch = batch_number(all[test.batch]);
+    if (data_.batches.size() == 1) data_.batches.clear();
+  }
+
+  std::size_t batch_number(const std::string& name) {
+    const auto found = std::ranges::find(data_.batches, name);
+    if (found == data_.batches.end()) data_.batches.push_back(name);
+    return static_cast<std::size_t>(std::ranges::find(data_.batches, name) - data_.batches.begin());
   }
 
   static std::size_t index(TestKind kind) { return static_cast<std::size_t>(kind); }
@@ -107,7 +123,7 @@ class TestCollector {
       return found == last_named_[index(kind)].end() ? nullptr : &data_.tests[found->second];
     }
     for (auto test = data_.tests.rbegin(); test != data_.tests.rend(); ++test) {
-      if (test->kind != kind) continue;
+      if (test->kind != kind || (!row.batch.empty() && data_.batches[test->batch] != row.batch)) continue;
       const bool same_load = kind == TestKind::relaxation ? test->readings.empty() || &*test == &data_.tests.back()
                                                           : near_stress(test->stress, row.stress);
       if (!same_load || !near_temperature(test->temperature, row.temperature)) continue;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "creepcontact/base/error.hpp"
@@ -43,7 +44,9 @@ struct Undetermined {
   const auto keys = [&](const std::vector<std::size_t>& which) {
     std::vector<std::string> names;
     names.reserve(which.size());
-    for (const std::size_t i : which) names.push_back(space.parameter(i).key);
+    for (const std::size_t i : which)
+      names.push_back(i < space.size() ? space.parameter(i).key
+                                       : fmt::format("batch '{}'", data.batches[i - space.size()]));
     return names;
   };
   std::vector<std::string> found;
@@ -52,13 +55,15 @@ struct Undetermined {
   if (!unknowns.together.empty())
     found.push_back(fmt::format("cannot tell {} apart", fmt::join(keys(unknowns.together), " and ")));
   // Held are those without unit first: their likely values are known.
-  std::vector<std::size_t> held = unknowns.together;
+  std::vector<std::size_t> held;
+  std::ranges::copy_if(unknowns.together, std::back_inserter(held), [&](std::size_t i) { return i < space.size(); });
   std::stable_partition(held.begin(), held.end(), [&](std::size_t i) {
     const std::string unit = unit_in(space.parameter(i).description);
     return !unit_uses(unit, "stress") && !unit_uses(unit, "time");
   });
   held.resize(std::min(held.size(), unknowns.n_together));
-  held.insert(held.begin(), unknowns.alone.begin(), unknowns.alone.end());
+  std::ranges::copy_if(unknowns.alone, std::inserter(held, held.begin()),
+                       [&](std::size_t i) { return i < space.size(); });
   const DataRange range = data.range();
   std::string tested_range =
       fmt::format("stresses {:g} to {:g}, {} of them", range.stress.low, range.stress.high, data.stresses().size());
@@ -166,26 +171,28 @@ void warn_of_width(const FittedParameter& parameter, bool logarithmic, FitResult
 
 }  // namespace
 
-void add_uncertainty(const TestData& data, const ParameterSpace& space, const LeastSquares& problem,
-                     const Minimum& minimum, FitResult& result) {
-  const auto n = static_cast<Eigen::Index>(space.size());
+Eigen::MatrixXd add_uncertainty(const TestData& data, const ParameterSpace& space, const LeastSquares& problem,
+                                const Minimum& minimum, FitResult& result) {
+  const auto n = static_cast<Eigen::Index>(space.size()), n_all = minimum.x.size();
   const std::vector<Eigen::Index> inner = inner_unknowns(problem, minimum.x);
   result.n_readings = static_cast<int>(minimum.residuals.size());
   result.degrees_of_freedom = result.n_readings - static_cast<int>(inner.size());
   result.deviation = std::sqrt(minimum.sum_of_squares() / result.degrees_of_freedom);
   result.correlation = Eigen::MatrixXd::Constant(n, n, std::numeric_limits<double>::quiet_NaN());
-  Eigen::MatrixXd of_unknowns = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXd of_unknowns = Eigen::MatrixXd::Zero(n_all, n_all);
   if (!inner.empty()) {
     const Eigen::MatrixXd own = covariance(data, space, inner, minimum.jacobian);
     for (std::size_t i = 0; i < inner.size(); ++i)
       for (std::size_t j = 0; j < inner.size(); ++j)
         of_unknowns(inner[i], inner[j]) = own(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
   }
-  const Eigen::MatrixXd slopes = space.slopes(minimum.x);
-  const Eigen::MatrixXd covariances = result.deviation * result.deviation * slopes * of_unknowns * slopes.transpose();
+  of_unknowns *= result.deviation * result.deviation;
+  const Eigen::VectorXd x = minimum.x.head(n);
+  const Eigen::MatrixXd slopes = space.slopes(x);
+  const Eigen::MatrixXd covariances = slopes * of_unknowns.topLeftCorner(n, n) * slopes.transpose();
   const boost::math::students_t distribution(result.degrees_of_freedom);
   const double factor = boost::math::quantile(distribution, 0.5 * (1 + confidence));
-  const Eigen::VectorXd values = space.values(minimum.x);
+  const Eigen::VectorXd values = space.values(x);
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double half = factor * std::sqrt(covariances(i, i));
@@ -205,6 +212,7 @@ void add_uncertainty(const TestData& data, const ParameterSpace& space, const Le
   }
   warn_of_misfit(data, result);
   warn_of_correlation(data, result);
+  return of_unknowns;
 }
 
 }  // namespace creepcontact::fit

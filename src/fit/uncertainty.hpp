@@ -8,8 +8,9 @@
 namespace creepcontact::fit {
 
 /// Fills parameters, correlation, deviation and warnings of a result whose residuals are known.
-/// @throws ConfigError if the data cannot tell parameters apart
-void add_uncertainty(const TestData& data, const ParameterSpace& space, const LeastSquares& problem,
-                     const Minimum& minimum, FitResult& result);
+/// @param minimum  its unknowns are those of the space, and perhaps others after them
+/// @returns the covariance of all unknowns @throws ConfigError if the data cannot tell parameters apart
+Eigen::MatrixXd add_uncertainty(const TestData& data, const ParameterSpace& space, const LeastSquares& problem,
+                                const Minimum& minimum, FitResult& result);
 
 }  // namespace creepcontact::fit

@@ -193,6 +193,28 @@ class Scatter(StudyTest):
         self.expect_error(self.study(text, "--output", "other"), 2, "study.toml:7:1: random.keys[0]: ", "the fit found",
                           "cube.toml has 3.125e-14")
 
+    def test_a_fit_with_batches_gives_samples_of_new_ones(self):
+        factors = {"a": 0.4, "b": 0.8, "c": 1.1, "d": 1.9, "e": 2.6, "f": 0.6}
+        rates = [f"{stress},{factor * reading * MEDIAN * stress**EXPONENT},{name}" for name, factor in factors.items()
+                 for stress, reading in zip((80, 120, 180), (1.02, 0.97, 1.01))]
+        self.write("rates.csv", "\n".join(["stress [MPa],creep_rate [1/h],batch", *rates]) + "\n")
+        done = self.call("fit", "rates.csv", "--law", "norton", "--output", "fitted.toml")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertSays(done.stdout, "factor on A of each batch", "from batch to batch")
+        found = (self.directory / "fitted_scatter.toml").read_text()
+        deviation = float(re.search(r"\[batches\].*?deviation = ([\d.e-]+)", found, re.S)[1])
+        logs = [math.log(factor) for factor in factors.values()]
+        self.assertAlmostEqual(deviation, statistics.stdev(logs), delta=0.01)
+        constants = dict(zip(("A", "n"), map(float, re.search(r"values = \[(.*)\]", found)[1].split(","))))
+        self.write("cube.toml", BASE.replace("A = 3.125e-14, n = 5", f"A = {constants['A']}, n = {constants['n']}"))
+        text = STUDY[:STUDY.index("key = ")] + 'key = "materials.steel.creep[0]"\nfit = "fitted_scatter.toml"\n'
+        self.assertEqual(self.study(text + COMPARE).returncode, 0)
+        sampled = [math.log(float(row["materials.steel.creep[0].A"])) for row in self.table("samples.csv")]
+        # A new batch about the mean of six, which is not known better.
+        self.assertAlmostEqual(statistics.stdev(sampled) / (deviation * math.sqrt(1 + 1 / 6)), 1, delta=0.1)
+        self.write("fitted_scatter.toml", found.replace('key = "A"', 'key = "B"'))
+        self.expect_error(self.study(text, "--output", "other"), 2, "random.keys[0]", "[batches]", "fit")
+
 
 class Together(StudyTest):
     """Samples that one process computes, against those that have a process each."""

@@ -42,6 +42,7 @@ struct Test {
   /// far below it count by their absolute error.
   double floor = 0;
   std::vector<Reading> readings = {};  ///< times increase
+  std::size_t batch = 0;               ///< number in TestData::batches, if there are any
   bool young_modulus_used = false;     ///< the elastic strain was subtracted, or the stress relaxes
   bool is_named = false;               ///< by the column `test`
   bool same_specimen = false;          ///< as another test, such as the rupture after a creep curve
@@ -62,6 +63,8 @@ struct TestData {
   TestUnits units;
   bool has_temperature = false;
   std::vector<Test> tests = {};
+  /// Batches of the steel (melts) by name, from the column `batch`; empty: not known, or all of one batch.
+  std::vector<std::string> batches = {};
   std::vector<std::string> notes = {};  ///< what was left out or assumed
   int n_readings() const;
   int n_specimens() const;

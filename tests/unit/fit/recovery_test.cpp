@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "creepcontact/fit/fit.hpp"
 #include "synthetic.hpp"
@@ -101,6 +103,65 @@ TEST(Recovery, ExactDataGiveTheExactParameters) {
       EXPECT_NEAR(std::log(result.parameters[i].value / truth[i]), 0, 2e-3)
           << one.law << ' ' << result.parameters[i].key;
   }
+}
+
+/// Creep curves of batches, each with a factor of its own on A.
+TestData of_batches(int n, double deviation, int seed) {
+  TestData all;
+  for (int b = 0; b < n; ++b) {
+    const double factor = std::exp(deviation * Noise(1000 * seed + b)());
+    TestData one = synthetic(law_of("norton", {{3e-17 * factor}, {5.5}}),
+                             creep_at({80, 110, 150}, log_times(10, 3000, 5)), scatter, 100 * seed + b);
+    if (b == 0) all = one;
+    all.batches.push_back(std::string(1, static_cast<char>('a' + b)));
+    if (b > 0) std::ranges::copy(one.tests, std::back_inserter(all.tests));
+    for (std::size_t t = all.tests.size() - one.tests.size(); t < all.tests.size(); ++t)
+      all.tests[t].batch = static_cast<std::size_t>(b);
+  }
+  return all;
+}
+
+TEST(Batches, AreToldApartFromReadings) {
+  LawWishes wishes;
+  wishes.law = "norton";
+  constexpr double deviation = 0.7;
+  constexpr int n_sets = 40, n_batches = 8;
+  double variance = 0, readings = 0;
+  int inside = 0;
+  for (int seed = 0; seed < n_sets; ++seed) {
+    const TestData data = of_batches(n_batches, deviation, seed);
+    const FitResult result = fit_law(data, choose_law(wishes, data), std::nullopt);
+    ASSERT_TRUE(result.batches);
+    EXPECT_EQ(result.batches->key, "A");
+    ASSERT_EQ(result.batches->batches.size(), 8u);
+    double sum = 0, mean = 0, largest = 0;
+    for (int b = 0; b < n_batches; ++b) mean += deviation * Noise(1000 * seed + b)() / n_batches;
+    for (int b = 0; b < n_batches; ++b) {
+      const BatchScatter::Batch& batch = result.batches->batches[static_cast<std::size_t>(b)];
+      EXPECT_EQ(batch.n_tests, 3);
+      sum += batch.difference;
+      largest = std::max(largest, std::abs(batch.difference - (deviation * Noise(1000 * seed + b)() - mean)));
+    }
+    EXPECT_NEAR(sum, 0, 1e-9);
+    EXPECT_LT(largest, 4 * result.batches->batches.back().deviation);
+    variance += std::pow(result.batches->deviation, 2) / n_sets;
+    readings += std::pow(result.deviation, 2) / n_sets;
+    inside += result.parameters[1].low <= 5.5 && 5.5 <= result.parameters[1].high ? 1 : 0;
+  }
+  EXPECT_NEAR(std::sqrt(variance), deviation, 0.06);  // of 40 sets: 0.7/sqrt(2 x 7 x 40)
+  EXPECT_NEAR(std::sqrt(readings), scatter, 0.003);
+  EXPECT_GE(inside, 34);
+}
+
+TEST(Batches, ThatDoNotDifferHaveNoScatter) {
+  LawWishes wishes;
+  wishes.law = "norton";
+  const TestData data = of_batches(6, 0, 3);
+  const FitResult result = fit_law(data, choose_law(wishes, data), std::nullopt);
+  EXPECT_LT(result.batches.value().deviation, 0.03);
+  EXPECT_TRUE(result.warnings.empty());
+  const FitResult few = fit_law(of_batches(2, 0.5, 1), choose_law(wishes, data), std::nullopt);
+  EXPECT_EQ(few.warnings.size(), 1u);
 }
 
 TEST(Recovery, Norton) {

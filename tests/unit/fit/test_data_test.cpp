@@ -42,6 +42,18 @@ TEST(TestData, TestsAreToldApartByStressTemperatureAndStart) {
   EXPECT_EQ(data.range().time.high, 2);
 }
 
+TEST(TestData, BatchesAreToldApart) {
+  const std::string head = "time [h],stress [MPa],creep_strain,melt\n";
+  const TestData data = parsed(head + "1,100,0.001,a\n2,100,0.002,a\n1,100,0.003,b\n2,100,0.004,b\n3,100,0.005,a\n");
+  EXPECT_EQ(data.batches, (std::vector<std::string>{"a", "b"}));
+  ASSERT_EQ(data.tests.size(), 2U);
+  EXPECT_EQ(data.tests[0].readings.size(), 3U);
+  EXPECT_EQ(data.tests[1].batch, 1U);
+  EXPECT_EQ(data.tests[1].name, "100 MPa, b");
+  EXPECT_TRUE(parsed(head + "1,100,0.001,a\n2,100,0.002,a\n").batches.empty()) << "one of them is none";
+  EXPECT_TRUE(says(refusal(head + "1,100,0.001,a\n2,100,0.002,\n"), {"data.csv:3", "no batch"}));
+}
+
 TEST(TestData, ColumnsMayHaveGermanAndFrenchNames) {
   const TestData german = parsed(
       "Prüfling;Zeit in h;Spannung [N/mm²];Kriechdehnung [%];Temperatur [°C];Bruchzeit / h\n"
