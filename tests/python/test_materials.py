@@ -1,5 +1,7 @@
 """Laws and materials without a model, against closed forms."""
 
+import pathlib
+import tempfile
 import unittest
 
 import numpy as np
@@ -70,6 +72,17 @@ class Materials(Case):
         self.assertIn("A", fit.values)
         held = cc.fit(CONFIGS / "creep_tests.csv", "kachanov_rabotnov", set={"n": 5})
         self.assertEqual(list(held.values), [k for k in fit.values if k != "n"])
+
+    def test_a_fit_of_batches(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            data = pathlib.Path(scratch) / "rates.csv"
+            factors = {"a": 0.5, "b": 1.0, "c": 2.0, "d": 0.7, "e": 1.4}
+            data.write_text("stress,rate,batch\n" + "".join(f"{q},{f * 1e-12 * q**3},{b}\n" for b, f in factors.items() for q in (50, 100)))
+            fit = cc.fit(data, "norton")
+        self.assertAlmostEqual(fit.values["n"], 3, delta=1e-6)
+        self.assertEqual(list(fit.batches), list(factors))
+        self.assertAlmostEqual(fit.batches["c"] / fit.batches["a"], 4, delta=1e-5)
+        self.assertGreater(fit.batch_deviation, 0.4)
 
     def test_wrong_input(self):
         for call, error, fact in ((lambda: cc.law("nortn", A=1, n=1), cc.ConfigError, "norton"),
