@@ -102,7 +102,7 @@ inline void backward(std::span<const Substitution> of_bodies) {
   pass(PassDirection::backward, of_bodies);
 }
 
-/// The same pass of one solver for several vectors.
+/// Several vectors for a pass of one solver.
 struct SeveralSubstitutions {
   StiffnessSolver* solver;
   std::vector<PassVector> vectors;

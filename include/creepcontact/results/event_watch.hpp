@@ -26,7 +26,7 @@ class EventWatch {
   std::vector<std::size_t> holding(Snapshot& snapshot) const;
   /// True if the condition of one event holds in this state.
   bool holds(std::size_t event, Snapshot& snapshot) const;
-  /// The same for given values of all probes.
+  /// holds() for given values of all probes.
   bool holds(std::size_t event, std::span<const double> probe_values, double time) const;
   /// Keeps the time and reports it in the log.
   void happened(std::size_t event, double time);

@@ -23,7 +23,7 @@ class ProbeExpression {
   /// The value of the expression; a condition gives 1 or 0. Evaluates the probes that the text names, once per
   /// snapshot. Collective.
   double value(Snapshot& snapshot) const;
-  /// The same for given values of all probes.
+  /// value() for given values of all probes.
   double value(std::span<const double> probe_values, double time) const;
 
   /// Numbers of the probes that a text names.

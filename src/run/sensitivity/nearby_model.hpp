@@ -28,7 +28,7 @@ class NearbyModel {
 
   /// Takes up the time of the run.
   void set_time(const creep::Evaluation& at);
-  /// Of set_time().
+  /// Those of set_time().
   const mechanics::BodyConditions& conditions(std::size_t body) const { return at_.equilibrium.conditions[body]; }
   const creep::LawParameters& law_parameters(std::size_t body) const { return at_.laws[body]; }
   /// Gaps and work of external forces that do not depend on displacements of free unknowns.
