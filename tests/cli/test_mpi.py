@@ -53,11 +53,11 @@ class MpiTest(process_case.ProcessTest):
             for row, same in zip(rows, same_rows):
                 self.assertLessEqual(abs(row[column] - same[column]), difference * scale, f"{name} at t = {row[0]}")
 
-    def expect_equal_runs(self, example, processes, *settings):
+    def expect_equal_runs(self, example, processes, *settings, difference=1e-8):
         serial = self.run_example(0, example, "serial", *settings)
         for n in processes:
             spread = self.run_example(n, example, f"on_{n}", *settings)
-            self.expect_the_same(serial, spread)
+            self.expect_the_same(serial, spread, difference)
             steps = [len((directory / "steps.csv").read_text().splitlines()) for directory in (serial, spread)]
             self.assertEqual(steps[0], steps[1], f"{n} processes")
 
@@ -147,7 +147,9 @@ class MpiContact(MpiTest):
         self.expect_equal_runs("press_fit_torque", (3,), "time.end=100", *self.coarse("press_fit_torque"))
 
     def test_a_gasket_that_creeps(self):
-        self.expect_equal_runs("gasketed_flange", (2,), "time.end=100", "time.output=[10, 50]", "output.fields=false", *self.coarse("gasketed_flange"))
+        # Preloads are found to 1e-9 of their force, which the creep of the gasket amplifies.
+        self.expect_equal_runs("gasketed_flange", (2,), "time.end=100", "time.output=[10, 50]", "output.fields=false",
+                               *self.coarse("gasketed_flange"), difference=5e-8)
 
 
 class MpiPlasticity(MpiTest):
