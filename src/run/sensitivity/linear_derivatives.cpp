@@ -67,10 +67,8 @@ creep::EquationChange LinearDerivatives::equations(std::size_t k, const creep::E
                                                    std::span<const double> state_change) {
   const auto lap = watch_.lap(Part::material);
   NearbyModel &with_more = more(k), &with_less = less(k);
-  with_more.set_time(at);
-  with_less.set_time(at);
   creep::EquationChange change;
-  const contact::InterfaceLoad load = with_more.load(), opposite = with_less.load();
+  const contact::InterfaceLoad load = with_more.load(at), opposite = with_less.load(at);
   change.gap = central_difference(load.gap, opposite.gap);
   change.work = central_difference(load.work, opposite.work);
   base().layout().views(state_change, change.strain);
@@ -88,11 +86,10 @@ creep::EquationChange LinearDerivatives::equations(std::size_t k, const creep::E
     } else if (!change.strain[b].empty()) {
       body.initial_strain_force(factored.elastic(), change.strain[b], forces);
     }
-    add_difference_of_loads(with_more.conditions(b), with_less.conditions(b), body, forces);
+    add_difference_of_loads(with_more.conditions(b, at), with_less.conditions(b, at), body, forces);
   }
-  for (std::size_t p = 0; p < interference_[k].size(); ++p) {
+  for (std::size_t p = 0; p < interference_[k].size(); ++p)
     if (interference_[k][p] != 0) change.gap += interference_[k][p] * gap_of(solver_.assembly().pairs()[p]);
-  }
   return change;
 }
 
@@ -103,12 +100,13 @@ std::vector<creep::EquilibriumChange> LinearDerivatives::respond(const creep::Ev
   return solver_.changes(at.equilibrium, std::move(changes));
 }
 
-bool LinearDerivatives::laws_differ(std::size_t k, std::size_t body) const {
+bool LinearDerivatives::laws_differ(std::size_t k, std::size_t body, const creep::Evaluation& at) const {
   // Constants that points do not see, and axes of the material, show in the key alone.
   const std::string &key = values()[k].key, &material = solver_.assembly().bodies()[body].material().name;
   if (key.starts_with("bodies.") || key.starts_with(fmt::format("materials.{}.", material))) return true;
   if (key.starts_with("materials.\"")) return true;  // a name in quotes
-  const creep::LawParameters &with_more = more(k).law_parameters(body), &with_less = less(k).law_parameters(body);
+  const creep::LawParameters &with_more = more(k).law_parameters(body, at),
+                             &with_less = less(k).law_parameters(body, at);
   return with_more.values != with_less.values || with_more.temperature != with_less.temperature;
 }
 
@@ -124,7 +122,7 @@ void LinearDerivatives::rate(double t, std::span<const double> whole, std::span<
       const std::span<double> into = laws.layout().part(b, block(rate, k + 1));
       points.derivative(laws.state(b, at, at.y), {changes[k].stress[b], laws.layout().part(b, block(whole, k + 1))},
                         into);
-      if (!laws_differ(k, b)) return;
+      if (!laws_differ(k, b, at)) return;
       with_more.resize(into.size());
       with_less.resize(into.size());
       more(k).rate(b, at, with_more);

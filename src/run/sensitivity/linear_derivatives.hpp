@@ -41,8 +41,8 @@ class LinearDerivatives final : public Derivatives {
   creep::EquationChange equations(std::size_t k, const creep::Evaluation& at, std::span<const double> state_change);
   /// The changes of the equilibrium with all values.
   std::vector<creep::EquilibriumChange> respond(const creep::Evaluation& at, std::span<const double> whole);
-  /// Whether the laws of a body may have other rates in the same state; after set_time() of both models.
-  bool laws_differ(std::size_t k, std::size_t body) const;
+  /// Whether the laws of a body may have other rates in the same state.
+  bool laws_differ(std::size_t k, std::size_t body, const creep::Evaluation& at) const;
   bool opens_or_closes(const creep::Equilibrium& at, const creep::EquilibriumChange& change) const;
   Eigen::VectorXd gap_of(const contact::Pair& pair) const;
 

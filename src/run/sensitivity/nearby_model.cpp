@@ -27,20 +27,26 @@ NearbyModel::NearbyModel(const config::Config& config, double sign, Kept& kept, 
   at_.equilibrium.bodies.resize(model_.bodies().size());
 }
 
-void NearbyModel::set_time(const creep::Evaluation& at) {
+const mechanics::BodyConditions& NearbyModel::conditions(std::size_t body, const creep::Evaluation& at) {
   model_.assembly.update(at.time, at_.equilibrium.conditions);
-  for (std::size_t b = 0; b < at_.laws.size(); ++b) laws_.points()[b].update(conditions(b), at_.laws[b]);
+  return at_.equilibrium.conditions[body];
 }
 
-contact::InterfaceLoad NearbyModel::load() const {
+const creep::LawParameters& NearbyModel::law_parameters(std::size_t body, const creep::Evaluation& at) {
+  laws_.points()[body].update(conditions(body, at), at_.laws[body]);
+  return at_.laws[body];
+}
+
+contact::InterfaceLoad NearbyModel::load(const creep::Evaluation& at) {
+  model_.assembly.update(at.time, at_.equilibrium.conditions);
   const std::vector<mechanics::BodyConditions>& here = at_.equilibrium.conditions;
   contact::InterfaceLoad load = rows_.initial_load(here.front().time, here);
   for (std::size_t b = 0; b < here.size(); ++b) rows_.add_resultant(b, here[b], load);
   return load;
 }
 
-bool NearbyModel::stresses_differ(std::size_t body, const creep::Evaluation& at) const {
-  const mechanics::BodyConditions &own = conditions(body), &of_run = at.equilibrium.conditions[body];
+bool NearbyModel::stresses_differ(std::size_t body, const creep::Evaluation& at) {
+  const mechanics::BodyConditions &own = conditions(body, at), &of_run = at.equilibrium.conditions[body];
   const auto inner = [](const mechanics::BodyConditions& of) { return of.elastic().inner_force; };
   const auto same_moduli = [](const material::Moduli& a, const material::Moduli& b) {
     return a.lambda == b.lambda && a.mu == b.mu;
@@ -51,15 +57,15 @@ bool NearbyModel::stresses_differ(std::size_t body, const creep::Evaluation& at)
 }
 
 /// That of the run, with the prescribed displacements of this model.
-std::vector<double> NearbyModel::displacement(std::size_t body, const creep::Evaluation& at) const {
+std::vector<double> NearbyModel::displacement(std::size_t body, const creep::Evaluation& at) {
   std::vector<double> u = at.equilibrium.bodies[body].displacement;
-  const std::vector<double>&own = conditions(body).prescribed, &of_run = at.equilibrium.conditions[body].prescribed;
+  const std::vector<double>&own = conditions(body, at).prescribed, &of_run = at.equilibrium.conditions[body].prescribed;
   for (std::size_t i = 0; i < own.size(); ++i) u[i] += own[i] - of_run[i];
   return u;
 }
 
 std::vector<double> NearbyModel::stress(std::size_t body, const creep::Evaluation& at,
-                                        const mechanics::CreepStrainView& strain_change) const {
+                                        const mechanics::CreepStrainView& strain_change) {
   const mechanics::Discretization& discretization = model_.bodies()[body].discretization();
   std::vector<double> stress(6 * discretization.n_points()), state;
   mechanics::CreepStrainView strain;
@@ -67,12 +73,12 @@ std::vector<double> NearbyModel::stress(std::size_t body, const creep::Evaluatio
     add(laws_.layout().part(body, std::span<const double>(at.y)), change_, strain_change.data, state);
     strain = {state, strain_change.stride};
   }
-  discretization.stress(displacement(body, at), conditions(body).elastic(), strain, stress);
+  discretization.stress(displacement(body, at), conditions(body, at).elastic(), strain, stress);
   return stress;
 }
 
-void NearbyModel::rate(std::size_t body, const creep::Evaluation& at, std::span<double> rate) const {
-  laws_.points()[body].rate({at_.laws[body],
+void NearbyModel::rate(std::size_t body, const creep::Evaluation& at, std::span<double> rate) {
+  laws_.points()[body].rate({law_parameters(body, at),
                              {},
                              at.equilibrium.bodies[body].stress,
                              laws_.layout().part(body, std::span<const double>(at.y))},
@@ -81,10 +87,11 @@ void NearbyModel::rate(std::size_t body, const creep::Evaluation& at, std::span<
 
 void NearbyModel::place(const creep::Evaluation& at, const creep::EquilibriumChange& change,
                         std::span<const double> state_change) {
-  set_time(at);
   add(at.y, change_, state_change, at_.y);
-  for (std::size_t b = 0; b < change.stress.size(); ++b)
+  for (std::size_t b = 0; b < change.stress.size(); ++b) {
+    laws_.points()[b].update(conditions(b, at), at_.laws[b]);
     add(at.equilibrium.bodies[b].stress, change_, change.stress[b], at_.equilibrium.bodies[b].stress);
+  }
 }
 
 creep::PointsState NearbyModel::points(std::size_t body) const {

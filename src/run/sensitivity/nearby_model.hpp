@@ -26,20 +26,18 @@ class NearbyModel {
   const creep::BodyLaws& laws() const { return laws_; }
   std::span<const std::unique_ptr<results::Probe>> probes() const { return probes_; }
 
-  /// Takes up the time of the run.
-  void set_time(const creep::Evaluation& at);
-  /// Those of set_time().
-  const mechanics::BodyConditions& conditions(std::size_t body) const { return at_.equilibrium.conditions[body]; }
-  const creep::LawParameters& law_parameters(std::size_t body) const { return at_.laws[body]; }
+  // All of these are at the time of an evaluation of the run.
+  const mechanics::BodyConditions& conditions(std::size_t body, const creep::Evaluation& at);
+  const creep::LawParameters& law_parameters(std::size_t body, const creep::Evaluation& at);
   /// Gaps and work of external forces that do not depend on displacements of free unknowns.
-  contact::InterfaceLoad load() const;
+  contact::InterfaceLoad load(const creep::Evaluation& at);
   /// Whether displacements of the run cause other stresses in this body than they do in the run, but for the state.
-  bool stresses_differ(std::size_t body, const creep::Evaluation& at) const;
+  bool stresses_differ(std::size_t body, const creep::Evaluation& at);
   /// The stress that displacements of the run cause with its state changed, n_points x 6.
   std::vector<double> stress(std::size_t body, const creep::Evaluation& at,
-                             const mechanics::CreepStrainView& strain_change) const;
+                             const mechanics::CreepStrainView& strain_change);
   /// The rate of the laws of a body in a state of the run, n_points x stride.
-  void rate(std::size_t body, const creep::Evaluation& at, std::span<double> rate) const;
+  void rate(std::size_t body, const creep::Evaluation& at, std::span<double> rate);
 
   /// Takes up the time, state and stress of the run, with their changes.
   void place(const creep::Evaluation& at, const creep::EquilibriumChange& change, std::span<const double> state_change);
@@ -50,7 +48,7 @@ class NearbyModel {
                                          std::span<const double> state_change);
 
  private:
-  std::vector<double> displacement(std::size_t body, const creep::Evaluation& at) const;
+  std::vector<double> displacement(std::size_t body, const creep::Evaluation& at);
 
   double change_;  // of the value, relative to ChangedValue::change
   model::Model model_;
