@@ -1,8 +1,6 @@
 #include "creepcontact/results/event_watch.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "creepcontact/base/log.hpp"
 
@@ -12,29 +10,9 @@ EventWatch::EventWatch(const config::Config& config, std::span<const std::unique
   for (const config::Event& event : events_) conditions_.emplace_back(event.when.name, config.probes, probes);
 }
 
-bool EventWatch::is_waiting() const {
-  return std::ranges::any_of(times_, [](const std::optional<double>& time) { return !time; });
-}
-
-namespace {
-bool is_true(double value) {
+bool EventWatch::holds(std::size_t event, std::span<const double> values, double time) const {
+  const double value = conditions_[event].value(values, time);
   return value != 0 && !std::isnan(value);
-}
-}  // namespace
-
-bool EventWatch::holds(std::size_t event, Snapshot& snapshot) const {
-  return is_true(conditions_[event].value(snapshot));
-}
-
-bool EventWatch::holds(std::size_t event, std::span<const double> probe_values, double time) const {
-  return is_true(conditions_[event].value(probe_values, time));
-}
-
-std::vector<std::size_t> EventWatch::holding(Snapshot& snapshot) const {
-  std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < events_.size(); ++i)
-    if (!times_[i] && holds(i, snapshot)) found.push_back(i);
-  return found;
 }
 
 void EventWatch::happened(std::size_t event, double time) {

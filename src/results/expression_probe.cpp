@@ -17,7 +17,7 @@ class ExpressionProbe final : public Probe {
 
 ProbeExpression::ProbeExpression(const std::string& text, std::span<const config::Probe> probes,
                                  std::span<const std::unique_ptr<Probe>> all)
-    : parsed_(text, names(probes)), values_(probes.size() + 1, 0.0) {
+    : parsed_(text, names(probes)), n_probes_(probes.size()) {
   for (const std::size_t number : parsed_.used())
     if (number < all.size()) used_.emplace_back(number, all[number].get());
 }
@@ -36,11 +36,14 @@ std::vector<std::size_t> ProbeExpression::used(const std::string& text, std::spa
   return found;
 }
 
-double ProbeExpression::value(Snapshot& snapshot) const {
-  std::vector<double> values = values_;
+std::vector<double> ProbeExpression::values(Snapshot& snapshot) const {
+  std::vector<double> values(n_probes_, 0.0);
   for (const auto& [number, probe] : used_) values[number] = snapshot.value(*probe);
-  values.back() = snapshot.time();
-  return parsed_(values);
+  return values;
+}
+
+double ProbeExpression::value(Snapshot& snapshot) const {
+  return value(values(snapshot), snapshot.time());
 }
 
 double ProbeExpression::value(std::span<const double> probe_values, double time) const {

@@ -134,7 +134,11 @@ Reaction Loop::end_step() {
 Reaction Loop::find_conditions(double from) {
   const auto lap = context_.watch.lap(Part::observe);
   const auto view_at = [&](double t) { return position_.view_at(t, Source::exact); };
-  const std::optional<double> stop = run::find_conditions(from, position_.time(), view_at, observers_);
+  // No later step would find what begins to hold at a breakpoint, or at the end of the run.
+  const NearEnd near_end = position_.is_at_breakpoint() || from == position_.time() ? NearEnd() : [&] {
+    return position_.view(Source::accepted);
+  };
+  const std::optional<double> stop = run::find_conditions(from, position_.time(), view_at, near_end, observers_);
   if (!stop) return Reaction::advance;
   position_.stop_at(*stop);
   return Reaction::stop;

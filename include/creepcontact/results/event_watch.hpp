@@ -19,15 +19,15 @@ class EventWatch {
   /// @param probes  of the configuration; they must outlive the object
   EventWatch(const config::Config& config, std::span<const std::unique_ptr<Probe>> probes);
 
-  /// True while an event has not happened: there is something to look for.
-  bool is_waiting() const;
-  /// Numbers of the events that have not happened and whose condition holds in this state. Evaluates only the probes
-  /// that these conditions name. Collective.
-  std::vector<std::size_t> holding(Snapshot& snapshot) const;
-  /// True if the condition of one event holds in this state.
-  bool holds(std::size_t event, Snapshot& snapshot) const;
-  /// holds() for given values of all probes.
-  bool holds(std::size_t event, std::span<const double> probe_values, double time) const;
+  std::size_t n_events() const { return events_.size(); }
+  /// True while the event has not happened.
+  bool is_waiting(std::size_t event) const { return !times_[event]; }
+  /// The probes that the condition of an event names, zeros for the others. Collective.
+  std::vector<double> values(std::size_t event, Snapshot& snapshot) const {
+    return conditions_[event].values(snapshot);
+  }
+  /// True if the condition holds with such values at a time.
+  bool holds(std::size_t event, std::span<const double> values, double time) const;
   /// Keeps the time and reports it in the log.
   void happened(std::size_t event, double time);
   bool stops(std::size_t event) const { return events_[event].stop; }

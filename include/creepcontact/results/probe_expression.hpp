@@ -20,10 +20,11 @@ class ProbeExpression {
   ProbeExpression(const std::string& text, std::span<const config::Probe> probes,
                   std::span<const std::unique_ptr<Probe>> all);
 
-  /// The value of the expression; a condition gives 1 or 0. Evaluates the probes that the text names, once per
-  /// snapshot. Collective.
+  /// The value of the expression; a condition gives 1 or 0. Collective.
   double value(Snapshot& snapshot) const;
-  /// value() for given values of all probes.
+  /// The probes that the text names, zeros for the others. Evaluates each once per snapshot. Collective.
+  std::vector<double> values(Snapshot& snapshot) const;
+  /// value() for given values of the probes that the text names; the others have any value.
   double value(std::span<const double> probe_values, double time) const;
 
   /// Numbers of the probes that a text names.
@@ -34,7 +35,7 @@ class ProbeExpression {
 
   NamedExpression parsed_;
   std::vector<std::pair<std::size_t, const Probe*>> used_;  // number and probe
-  std::vector<double> values_;                              // zeros, one per probe, and the time
+  std::size_t n_probes_;
 };
 
 }  // namespace creepcontact::results

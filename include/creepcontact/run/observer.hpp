@@ -57,8 +57,18 @@ class Observer {
   /// Conditions that begin to hold at an instant, which the loop locates: their numbers, as far as they hold in this
   /// state and have not happened.
   virtual std::vector<std::size_t> conditions(StepView& /*view*/) const { return {}; }
-  /// Whether one of them holds. @param number  from conditions()
-  virtual bool holds(std::size_t /*number*/, StepView& /*view*/) const { return false; }
+  /// Values on which one of them depends, apart from the time, and which are smooth in it: from a few of them the loop
+  /// guesses the instant. Empty: it halves the step instead, as often as resolution() wants. @param number  from
+  /// conditions()
+  virtual std::vector<double> values(std::size_t /*number*/, StepView& /*view*/) const { return {}; }
+  /// Whether one of them would hold at this time with these values. Not asked without values.
+  virtual bool would_hold(std::size_t /*number*/, double /*time*/, std::span<const double> /*values*/) const {
+    return false;
+  }
+  /// Whether one of them holds.
+  virtual bool holds(std::size_t number, StepView& view) const {
+    return would_hold(number, view.time(), values(number, view));
+  }
   /// One of them begins to hold in this state.
   virtual void happened(std::size_t /*number*/, StepView& /*view*/) {}
   /// True if it ends the run.

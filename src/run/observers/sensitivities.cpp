@@ -10,20 +10,19 @@
 #include "../sensitivity/sensitive_integrator.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/tables/history_writer.hpp"
-#include "creepcontact/results/event_watch.hpp"
 #include "creepcontact/run/summary.hpp"
-#include "observers.hpp"
+#include "event_conditions.hpp"
 
 namespace creepcontact::run {
 namespace {
 
-class Sensitivities final : public Observer {
+class Sensitivities final : public EventConditions {
  public:
   explicit Sensitivities(const RunContext& context)
-      : context_(context),
+      : EventConditions(context),
+        context_(context),
         integrator_(*context.sensitive),
         of_(integrator_.of()),
-        watch_(context.config, context.observed.probes()),
         changes_of_events_(context.config.events.size()),
         has_warned_(of_.values().size(), false) {
     if (context.directory.empty()) return;
@@ -45,22 +44,6 @@ class Sensitivities final : public Observer {
     file_->write(view.time(), row);
   }
 
-  std::vector<std::size_t> conditions(StepView& view) const override {
-    if (changes_of_events_.empty()) return {};
-    std::vector<std::size_t> numbers;
-    view.with_snapshot([&](results::Snapshot& snapshot) {
-      numbers = watch_.holding(snapshot);
-      return std::vector<double>{};
-    });
-    std::erase_if(numbers, [&](std::size_t number) { return !changes_of_events_[number].empty(); });
-    return numbers;
-  }
-  bool holds(std::size_t number, StepView& view) const override {
-    return !view.with_snapshot([&](results::Snapshot& snapshot) {
-                  return std::vector<double>(watch_.holds(number, snapshot) ? 1 : 0);
-                })
-                .empty();
-  }
   void happened(std::size_t number, StepView& view) override {
     changes_of_events_[number] = changes_of_event(number, view.time());
   }
@@ -93,6 +76,8 @@ class Sensitivities final : public Observer {
   }
 
  private:
+  bool is_waiting(std::size_t event) const override { return changes_of_events_[event].empty(); }
+
   /// The derivatives of all probes in a state of the run.
   void differentiate(StepView& view) {
     std::vector<Derivatives::OfProbes> found = of_.of_probes(view.time(), integrator_.whole_at(view.time()));
@@ -154,7 +139,7 @@ class Sensitivities final : public Observer {
           std::vector<double> values(probes.size());
           for (std::size_t p = 0; p < values.size(); ++p)
             values[p] = probes[p] + later * rates[p] + change * of_values[k].derivatives[p];
-          return watch_.holds(event, values, time + later);
+          return watch().holds(event, values, time + later);
         });
       };
       changes[k] = central_difference(delay_with(relative_change), delay_with(-relative_change));
@@ -179,7 +164,6 @@ class Sensitivities final : public Observer {
   const RunContext& context_;
   SensitiveIntegrator& integrator_;
   Derivatives& of_;
-  results::EventWatch watch_;
   std::optional<io::HistoryWriter> file_;
   std::vector<std::vector<double>> derivatives_;        // by value, of the probes at the last output, per value/change
   std::vector<std::vector<double>> changes_of_events_;  // by event, of its time; empty: it has not happened

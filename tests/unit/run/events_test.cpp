@@ -60,6 +60,20 @@ TEST_P(Events, OfARelaxingPressure) {
 INSTANTIATE_TEST_SUITE_P(Integrators, Events, testing::Values("auto", "cvode_bdf", "arkode_erk", "explicit_euler"),
                          [](const auto& tested) { return std::string(tested.param); });
 
+TEST(EventsOfRuns, CostFewSolves) {
+  const Case blocks;
+  const auto solves = [&](const std::string& events) {
+    const Summary summary =
+        run(blocks.config(pressure_probe + events, {"time.tolerance=1e-5", "output.fields=false"}), {});
+    EXPECT_EQ(summary.exit_status, 0) << summary.message;
+    EXPECT_GT(summary.results.steps, 15);
+    return summary.results.elastic_solves;
+  };
+  const auto alone = solves("");
+  EXPECT_LE(solves("[[events]]\nname = 'never'\nwhen = 'pressure < 0.1'\n"), alone + 2);
+  EXPECT_LE(solves("[[events]]\nname = 'leak'\nwhen = 'pressure < 0.8'\n"), alone + 12);
+}
+
 TEST(EventsOfRuns, StopWithALastRow) {
   const Case blocks;
   const std::string stop = pressure_events + "[[events]]\nname = 'stop'\nwhen = 'pressure < 0.9'\nstop = true\n";
