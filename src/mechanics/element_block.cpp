@@ -81,6 +81,8 @@ void ElementBlock::tabulate() {
   derivatives_.resize(n_points_ * n_nodes_ * 3);
   derivative_lanes_.resize(derivatives_.size());
   shape_lanes_.resize(n_points_ * n_nodes_);
+  derivatives_by_points_.resize(n_points_ * 3 * n_padded());
+  shape_by_points_.resize(n_points_ * n_padded());
   if (fem::has_bubble(type()) && !has_plane_stress()) bubble_derivatives_.resize(n_points_, 3);
   Eigen::MatrixX3d gradient(n_nodes_, 3);
   const Vector3 middle = reference_.nodes().topRows(mesh::n_corners(type())).colwise().mean();
@@ -90,8 +92,10 @@ void ElementBlock::tabulate() {
     reference_.gradient(xi, gradient);
     for (std::size_t a = 0; a < n_nodes_; ++a)
       for (std::size_t k = 0; k < 3; ++k)
-        derivatives_[(p * n_nodes_ + a) * 3 + k] = derivative_lanes_[(3 * a + k) * n_points_ + p] = gradient(a, k);
-    for (std::size_t a = 0; a < n_nodes_; ++a) shape_lanes_[a * n_points_ + p] = shape_(a, p);
+        derivatives_[(p * n_nodes_ + a) * 3 + k] = derivative_lanes_[(3 * a + k) * n_points_ + p] =
+            derivatives_by_points_[(3 * p + k) * n_padded() + a] = gradient(a, k);
+    for (std::size_t a = 0; a < n_nodes_; ++a)
+      shape_lanes_[a * n_points_ + p] = shape_by_points_[p * n_padded() + a] = shape_(a, p);
     if (!has_bubble()) continue;
     const Vector3 bubble = fem::bubble_gradient(type(), xi), from_middle = xi - middle;
     bubble_derivatives_.row(p) = bubble.transpose();

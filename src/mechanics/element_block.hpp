@@ -12,6 +12,7 @@
 #include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/mechanics/discretization.hpp"
 #include "element_view.hpp"
+#include "lanes.hpp"
 
 namespace creepcontact::mechanics {
 
@@ -124,6 +125,8 @@ class ElementBlock {
   Eigen::MatrixXd volumetric_gradients(std::size_t e, const Eigen::MatrixXd& divergence) const;
   /// Eliminates the bubble from a stiffness.
   Eigen::MatrixXd condensed(const Eigen::MatrixXd& stiffness) const;
+  /// Nodes in full vectors.
+  std::size_t n_padded() const { return (n_nodes_ + lanes - 1) / lanes * lanes; }
   void tabulate();
   void measure(const std::vector<Vector3>& nodes);
   void measure_distortion();
@@ -141,13 +144,15 @@ class ElementBlock {
   std::vector<double> linear_functions_;
   std::vector<double> unprojected_part_;
   std::vector<Bubble> bubbles_;
-  std::vector<double> derivatives_;       // of the reference, n_points x n_nodes x 3
-  std::vector<double> derivative_lanes_;  // the same, n_nodes x 3 x n_points
-  std::vector<double> shape_lanes_;       // shape_, n_nodes x n_points
-  Eigen::MatrixX3d bubble_derivatives_;   // of the reference, n_points x 3; empty without a bubble
-  std::vector<double> bubble_values_;     // at the points
-  std::vector<double> bubble_shares_;     // the same for integrals of body forces
-  Eigen::MatrixXd shape_;                 // n_nodes x n_points
+  std::vector<double> derivatives_;            // of the reference, n_points x n_nodes x 3
+  std::vector<double> derivative_lanes_;       // the same, n_nodes x 3 x n_points
+  std::vector<double> derivatives_by_points_;  // the same, n_points x 3 x n_padded()
+  std::vector<double> shape_lanes_;            // shape_, n_nodes x n_points
+  std::vector<double> shape_by_points_;        // the same, n_points x n_padded()
+  Eigen::MatrixX3d bubble_derivatives_;        // of the reference, n_points x 3; empty without a bubble
+  std::vector<double> bubble_values_;          // at the points
+  std::vector<double> bubble_shares_;          // the same for integrals of body forces
+  Eigen::MatrixXd shape_;                      // n_nodes x n_points
   Eigen::MatrixXd extrapolation_;
 };
 

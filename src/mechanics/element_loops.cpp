@@ -11,6 +11,7 @@
 /// share two instances (in space and in the plane) of each loop.
 
 #include <array>
+#include <optional>
 
 #include "bubble_terms.hpp"
 #include "creepcontact/base/index.hpp"
@@ -34,23 +35,23 @@ using Tensors = std::array<Column, 6>;
 template <typename V>
 CREEPCONTACT_INLINE LaneTensor<V> tensor_at(const Tensors& tensors, std::size_t p) {
   LaneTensor<V> result;
-  for (std::size_t i = 0; i < 6; ++i) result[i] = load<V>(&tensors[i][p]);
+  for_constants<6>([&](auto i) { result[i] = load<V>(&tensors[i][p]); });
   return result;
 }
 template <typename V>
 CREEPCONTACT_INLINE void set(const LaneTensor<V>& values, std::size_t p, Tensors& tensors) {
-  for (std::size_t i = 0; i < 6; ++i) store(values[i], &tensors[i][p]);
+  for_constants<6>([&](auto i) { store(values[i], &tensors[i][p]); });
 }
 /// From tensors as callers have them, one after the other.
 template <typename V>
 CREEPCONTACT_INLINE LaneTensor<V> gathered(const double* tensors, std::size_t stride) {
   LaneTensor<V> result;
-  for (std::size_t i = 0; i < 6; ++i) result[i] = load<V>(tensors + i, stride);
+  for_constants<6>([&](auto i) { result[i] = load<V>(tensors + i, stride); });
   return result;
 }
 template <typename V>
 CREEPCONTACT_INLINE void scatter(const LaneTensor<V>& values, double* tensors) {
-  for (std::size_t i = 0; i < 6; ++i) store(values[i], tensors + i, 6);
+  for_constants<6>([&](auto i) { store(values[i], tensors + i, 6); });
 }
 template <typename V>
 CREEPCONTACT_INLINE V trace(const LaneTensor<V>& tensor) {
@@ -58,14 +59,20 @@ CREEPCONTACT_INLINE V trace(const LaneTensor<V>& tensor) {
 }
 template <typename V>
 CREEPCONTACT_INLINE void add_normal(const V& value, LaneTensor<V>& tensor) {
-  for (std::size_t i = 0; i < 3; ++i) tensor[i] += value;
+  for_constants<3>([&](auto i) { tensor[i] += value; });
 }
 
 /// Component of a symmetric tensor in row i and column j.
 constexpr std::array<std::array<std::size_t, 3>, 3> component{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}};
 
-/// The loops over one element in space (D = 3) or in a plane (D = 2).
-template <std::size_t D>
+/// Nothing is projected, there is no bubble, and the moduli are the same at all points: most quadratic elements.
+bool is_plain(const ElementView& element, const ElasticState& elastic) {
+  return !changes_trace(element, element.unprojected) && element.bubble == nullptr && elastic.matrices.empty() &&
+         elastic.moduli.size() == 1;
+}
+
+/// The loops over one element in space (D = 3) or in a plane (D = 2). @tparam plain  is_plain(), or not known
+template <std::size_t D, bool plain>
 class Loop {
  public:
   CREEPCONTACT_INLINE explicit Loop(const ElementView& element) : element_(element), n_points_(element.n_points) {}
@@ -92,20 +99,20 @@ class Loop {
   }
 
   CREEPCONTACT_INLINE void project_trace(double unprojected, Tensors& values) const {
-    TraceProjection<D> projection(element_, unprojected);
-    if (!projection.changes()) return;
-    measure(values, projection);
+    const std::optional<TraceProjection<D>> projection = projected(unprojected, values);
+    if (!projection) return;
     for_each_lane(
         n_points_, [&]<typename V>(std::size_t p) __attribute__((always_inline)) {
           LaneTensor<V> tensor = tensor_at<V>(values, p);
-          add_normal(projection.shift(p, trace(tensor)), tensor);
+          add_normal(projection->shift(p, trace(tensor)), tensor);
           set(tensor, p, values);
         });
   }
 
   /// B u without projection.
   CREEPCONTACT_INLINE void set_strain(const double* u, Tensors& values) const {
-    const NodalValues nodal = of_nodes(u);
+    NodalValues nodal;
+    take_nodes(u, nodal);
     for_each_lane(
         n_points_, [&]<typename V>(std::size_t p)
                        __attribute__((always_inline)) { set(strain<V>(nodal, u, p), p, values); });
@@ -113,46 +120,36 @@ class Loop {
 
   /// Nodal forces of sign * stress.
   CREEPCONTACT_INLINE void force(double sign, const Tensors& stress, double* forces) const {
-    TraceProjection<D> projection(element_, element_.unprojected);
-    if (projection.changes()) measure(stress, projection);
+    const std::optional<TraceProjection<D>> projection = projected(element_.unprojected, stress);
     std::array<Column, D * D> flux;  // weight * component i of stress . grad xi_k
     Column hoop;
     LaneSum axial;
     for_each_lane(
         n_points_, [&]<typename V>(std::size_t p) __attribute__((always_inline)) {
           LaneTensor<V> tensor = tensor_at<V>(stress, p);
-          if (projection.changes()) add_normal(projection.shift(p, trace(tensor)), tensor);
+          if (projection) add_normal(projection->shift(p, trace(tensor)), tensor);
           const V weight = sign * load<V>(element_.weight + p), shear = half_sqrt2 * weight;
-          for (std::size_t i = 0; i < 6; ++i) tensor[i] *= i < 3 ? weight : shear;
-          for (std::size_t k = 0; k < D; ++k) {
+          for_constants<6>([&](auto i) { tensor[i] *= i < 3 ? weight : shear; });
+          for_constants<D>([&](auto k) {
             std::array<V, D> gradient;
-            for (std::size_t j = 0; j < D; ++j) gradient[j] = load<V>(element_.inverse + (3 * k + j) * n_points_ + p);
-            for (std::size_t i = 0; i < D; ++i) {
+            for_constants<D>([&](auto j) { gradient[j] = load<V>(element_.inverse + (3 * k + j) * n_points_ + p); });
+            for_constants<D>([&](auto i) {
               V sum = gradient[0] * tensor[component[i][0]];
-              for (std::size_t j = 1; j < D; ++j) sum += gradient[j] * tensor[component[i][j]];
+              for_constants<D - 1>([&](auto j) { sum += gradient[j + 1] * tensor[component[i][j + 1]]; });
               store(sum, &flux[D * i + k][p]);
-            }
-          }
+            });
+          });
           if constexpr (D == 2) {
             if (element_.is_axisymmetric) store(tensor[2] * load<V>(element_.inverse_radius + p), &hoop[p]);
             if (element_.has_axial_node) axial.add(tensor[2]);
           }
         });
-    for (std::size_t a = 0; a < element_.n_nodes; ++a) {
-      const double* const derivatives = element_.derivatives + 3 * a * n_points_;
-      std::array<LaneSum, 3> sums;
-      for_each_lane(
-          n_points_, [&]<typename V>(std::size_t p) __attribute__((always_inline)) {
-            for (std::size_t k = 0; k < D; ++k) {
-              const V derivative = load<V>(derivatives + k * n_points_ + p);
-              for (std::size_t i = 0; i < D; ++i) sums[i].add(derivative * load<V>(&flux[D * i + k][p]));
-            }
-            if constexpr (D == 2)
-              if (element_.is_axisymmetric)
-                sums[0].add(load<V>(element_.shape + a * n_points_ + p) * load<V>(&hoop[p]));
-          });
-      for (std::size_t i = 0; i < 3; ++i) forces[3 * a + i] = i < D ? sums[i].value() : 0;
-    }
+    std::size_t a = 0;
+    for (; a + 8 < element_.n_nodes; a += 12) add_up<3>(a, flux, hoop, forces);
+    if (a + 4 < element_.n_nodes)
+      add_up<2>(a, flux, hoop, forces);
+    else if (a < element_.n_nodes)
+      add_up<1>(a, flux, hoop, forces);
     if (D == 2 && element_.has_axial_node) {
       double* const out = forces + 3 * element_.n_nodes;
       out[0] = out[1] = 0;
@@ -172,43 +169,79 @@ class Loop {
   }
 
  private:
-  CREEPCONTACT_INLINE void measure(const Tensors& values, TraceProjection<D>& projection) const {
+  /// The projection of the trace of the values; none if all of it stays as it is.
+  CREEPCONTACT_INLINE std::optional<TraceProjection<D>> projected(double unprojected, const Tensors& values) const {
+    std::optional<TraceProjection<D>> projection;
+    if (plain || !changes_trace(element_, unprojected)) return projection;
+    projection.emplace(element_, unprojected);
     for_each_lane(
         n_points_, [&]<typename V>(std::size_t p)
-                       __attribute__((always_inline)) { projection.add(p, trace(tensor_at<V>(values, p))); });
-    projection.finish();
+                       __attribute__((always_inline)) { projection->add(p, trace(tensor_at<V>(values, p))); });
+    projection->finish();
+    return projection;
+  }
+
+  /// Forces on the nodes from `first` on, four of them in a vector: their sums over the points stay in registers.
+  template <std::size_t n_vectors>
+  CREEPCONTACT_INLINE void add_up(std::size_t first, const std::array<Column, D * D>& flux, const Column& hoop,
+                                  double* forces) const {
+    std::array<std::array<Four, D>, n_vectors> sums;
+    for_constants<n_vectors>([&](auto v) { for_constants<D>([&](auto i) { sums[v][i] = Four{}; }); });
+    const std::size_t n = element_.n_padded;
+    for (std::size_t p = 0; p < n_points_; ++p) {
+      for_constants<D>([&](auto k) {
+        for_constants<n_vectors>([&](auto v) {
+          const Four derivative = load<Four>(element_.derivatives_by_points + (3 * p + k) * n + first + 4 * v);
+          for_constants<D>([&](auto i) { sums[v][i] += derivative * flux[D * i + k][p]; });
+        });
+      });
+      if (D == 2 && element_.is_axisymmetric)
+        for_constants<n_vectors>(
+            [&](auto v) { sums[v][0] += load<Four>(element_.shape_by_points + p * n + first + 4 * v) * hoop[p]; });
+    }
+    for_constants<n_vectors>([&](auto v) {
+      const std::size_t a = first + 4 * v, n_nodes = element_.n_nodes - a;
+      std::array<std::array<double, lanes>, 3> columns{};
+      for_constants<D>([&](auto i) { store(sums[v][i], columns[i].data()); });
+      for (std::size_t lane = 0; lane < lanes && lane < n_nodes; ++lane)
+        for (std::size_t i = 0; i < 3; ++i) forces[3 * (a + lane) + i] = columns[i][lane];
+    });
   }
 
   using NodalValues = std::array<double, ElementView::max_nodes * D>;
 
-  CREEPCONTACT_INLINE NodalValues of_nodes(const double* u) const {
-    NodalValues nodal;
+  CREEPCONTACT_INLINE void take_nodes(const double* u, NodalValues& nodal) const {
     for (std::size_t a = 0; a < element_.n_nodes; ++a)
       for (std::size_t i = 0; i < D; ++i) nodal[D * a + i] = u[3 * element_.nodes[a] + static_cast<std::int64_t>(i)];
-    return nodal;
   }
 
   template <typename V>
   CREEPCONTACT_INLINE LaneTensor<V> strain(const NodalValues& nodal, const double* u, std::size_t p) const {
-    std::array<std::array<V, D>, D> by_xi{};  // du_i/dxi_k
+    std::array<std::array<V, D>, D> by_xi;  // du_i/dxi_k
+    for_constants<D>([&](auto i) { for_constants<D>([&](auto k) { by_xi[i][k] = V{}; }); });
     for (std::size_t a = 0; a < element_.n_nodes; ++a) {
       const double* const derivatives = element_.derivatives + 3 * a * n_points_ + p;
-      for (std::size_t k = 0; k < D; ++k) {
+      for_constants<D>([&](auto k) {
         const V derivative = load<V>(derivatives + k * n_points_);
-        for (std::size_t i = 0; i < D; ++i) by_xi[i][k] += nodal[D * a + i] * derivative;
-      }
+        for_constants<D>([&](auto i) { by_xi[i][k] += nodal[D * a + i] * derivative; });
+      });
     }
-    std::array<std::array<V, D>, D> gradient{};  // du_i/dx_j
-    for (std::size_t k = 0; k < D; ++k)
-      for (std::size_t j = 0; j < D; ++j) {
+    std::array<std::array<V, D>, D> gradient;  // du_i/dx_j
+    for_constants<D>([&](auto j) {
+      for_constants<D>([&](auto k) {
         const V inverse = load<V>(element_.inverse + (3 * k + j) * n_points_ + p);
-        for (std::size_t i = 0; i < D; ++i) gradient[i][j] += inverse * by_xi[i][k];
-      }
-    LaneTensor<V> strain{};
-    for (std::size_t i = 0; i < D; ++i) {
+        for_constants<D>([&](auto i) {
+          const V product = inverse * by_xi[i][k];
+          gradient[i][j] = k == 0 ? product : gradient[i][j] + product;
+        });
+      });
+    });
+    LaneTensor<V> strain;
+    for_constants<6>([&](auto i) { strain[i] = V{}; });
+    for_constants<D>([&](auto i) {
       strain[i] = gradient[i][i];
-      for (std::size_t j = 0; j < i; ++j) strain[component[i][j]] = half_sqrt2 * (gradient[i][j] + gradient[j][i]);
-    }
+      for_constants<i>([&](auto j) { strain[component[i][j]] = half_sqrt2 * (gradient[i][j] + gradient[j][i]); });
+    });
     if constexpr (D == 2) {
       if (element_.is_axisymmetric) {
         V radial{};
@@ -226,12 +259,14 @@ class Loop {
   CREEPCONTACT_INLINE void set_stress(const double* u, const ElasticState& elastic, std::size_t first,
                                       const CreepStrainView& creep, const Vector3& inner_force, Tensors& values) const {
     NodalValues nodal;
-    if (u) nodal = of_nodes(u);
-    const bool is_uniform = elastic.moduli.size() == 1;
-    const bool is_isotropic = elastic.matrices.empty();
-    const bool has_bubble = element_.bubble && is_isotropic && !element_.is_axisymmetric;
-    TraceProjection<D> projection(element_, element_.unprojected);
-    BubbleTerms bubble(element_, is_uniform);
+    if (u) take_nodes(u, nodal);
+    const bool is_uniform = plain || elastic.moduli.size() == 1;
+    const bool is_isotropic = plain || elastic.matrices.empty();
+    const bool has_bubble = !plain && element_.bubble && is_isotropic && !element_.is_axisymmetric;
+    std::optional<TraceProjection<D>> projection;
+    if (!plain && changes_trace(element_, element_.unprojected)) projection.emplace(element_, element_.unprojected);
+    std::optional<BubbleTerms> bubble;
+    if (has_bubble) bubble.emplace(element_, is_uniform);
     const auto moduli = [&]<typename V>(std::size_t p, V & lambda, V & twice_mu) __attribute__((always_inline)) {
       if (is_uniform) {
         lambda = V{} + elastic.moduli[0].lambda;
@@ -244,11 +279,14 @@ class Loop {
     };
     for_each_lane(
         n_points_, [&]<typename V>(std::size_t p) __attribute__((always_inline)) {
-          LaneTensor<V> tensor{};
-          if (u) tensor = strain<V>(nodal, u, p);
+          LaneTensor<V> tensor;
+          if (u)
+            tensor = strain<V>(nodal, u, p);
+          else
+            for_constants<6>([&](auto i) { tensor[i] = V{}; });
           if (!creep.empty()) {
             const LaneTensor<V> known = gathered<V>(&creep.data[(first + p) * creep.stride], creep.stride);
-            for (std::size_t i = 0; i < 6; ++i) tensor[i] -= known[i];
+            for_constants<6>([&](auto i) { tensor[i] -= known[i]; });
           }
           if (!elastic.thermal_strain.empty()) {
             const V thermal = -load<V>(&elastic.thermal_strain[first + p]);
@@ -256,24 +294,24 @@ class Loop {
           }
           if (!elastic.thermal_tensors.empty()) {
             const LaneTensor<V> thermal = gathered<V>(&elastic.thermal_tensors[6 * (first + p)], 6);
-            for (std::size_t i = 0; i < 6; ++i) tensor[i] -= thermal[i];
+            for_constants<6>([&](auto i) { tensor[i] -= thermal[i]; });
           }
-          if (projection.changes()) projection.add(p, trace(tensor));
-          if (has_bubble) {
+          if (projection) projection->add(p, trace(tensor));
+          if (bubble) {
             V lambda, twice_mu;
             moduli(p, lambda, twice_mu);
-            bubble.add(p, tensor, lambda, twice_mu);
+            bubble->add(p, tensor, lambda, twice_mu);
           }
           set(tensor, p, values);
         });
-    if (projection.changes()) projection.finish();
-    if (has_bubble) bubble.solve(projection, inner_force);
-    const bool is_bubble_by_matrices = element_.bubble && !has_bubble;
+    if (projection) projection->finish();
+    if (bubble) bubble->solve(*projection, inner_force);
+    const bool is_bubble_by_matrices = !plain && element_.bubble && !has_bubble;
     for_each_lane(
         n_points_, [&]<typename V>(std::size_t p) __attribute__((always_inline)) {
           LaneTensor<V> tensor = tensor_at<V>(values, p);
-          if (projection.changes()) add_normal(projection.shift(p, trace(tensor)), tensor);
-          if (has_bubble) bubble.add_strain(p, tensor);
+          if (projection) add_normal(projection->shift(p, trace(tensor)), tensor);
+          if (bubble) bubble->add_strain(p, tensor);
           if (is_isotropic && !is_bubble_by_matrices) {
             V lambda, twice_mu;
             moduli(p, lambda, twice_mu);
@@ -288,7 +326,7 @@ class Loop {
   CREEPCONTACT_INLINE void to_stress(const V& lambda, const V& twice_mu, LaneTensor<V>& tensor) const {
     if (D == 2 && element_.has_plane_stress) tensor[2] = -lambda / (lambda + twice_mu) * (tensor[0] + tensor[1]);
     const V spherical = lambda * trace(tensor);
-    for (std::size_t i = 0; i < 6; ++i) tensor[i] *= twice_mu;
+    for_constants<6>([&](auto i) { tensor[i] *= twice_mu; });
     add_normal(spherical, tensor);
   }
 
@@ -340,9 +378,9 @@ void add_tangent_bubble(const ElementView& element, std::span<const Matrix6> mod
   add_bubble_strain(element, stress, initial_stress, Vector3::Zero(), strain);
 }
 
-template <std::size_t D>
-void Loop<D>::to_stress_by_points(const ElasticState& elastic, std::size_t first, const Vector3& inner_force,
-                                  Tensors& values) const {
+template <std::size_t D, bool plain>
+void Loop<D, plain>::to_stress_by_points(const ElasticState& elastic, std::size_t first, const Vector3& inner_force,
+                                         Tensors& values) const {
   if (elastic.matrices.empty()) {
     const auto stress = [&](std::size_t p, const BubbleMatrix& strain) {
       const Moduli& moduli = elastic.at(first + p);
@@ -376,35 +414,64 @@ void Loop<D>::to_stress_by_points(const ElasticState& elastic, std::size_t first
 }
 
 /// work(loop) with the Loop of the element.
-template <typename Work>
+template <bool plain = false, typename Work>
 CREEPCONTACT_INLINE void with_loop(const ElementView& element, std::size_t dimension, const Work& work) {
   if (dimension == 3)
-    work(Loop<3>(element));
+    work(Loop<3, plain>(element));
   else
-    work(Loop<2>(element));
+    work(Loop<2, plain>(element));
 }
 
-CREEPCONTACT_LONG_VECTORS void stress_loop(const ElementView& element, std::size_t dimension, const double* u,
-                                           const ElasticState& elastic, std::size_t first, const CreepStrainView& creep,
-                                           const Vector3& inner_force, double* stress) {
-  with_loop(
-      element, dimension, [&](const auto& loop) __attribute__((always_inline)) {
-        loop.stress(u, elastic, first, creep, inner_force, stress);
+/// What the loops need to know of an element. A version of each for plain elements keeps its values in registers.
+struct OfElement {
+  const ElementView& view;
+  std::size_t dimension;
+  std::size_t first;  // number of its first point
+};
+
+template <bool plain>
+CREEPCONTACT_INLINE void set_stress(const OfElement& element, const double* u, const ElasticState& elastic,
+                                    const CreepStrainView& creep, const Vector3& inner_force, double* stress) {
+  with_loop<plain>(
+      element.view, element.dimension, [&](const auto& loop) __attribute__((always_inline)) {
+        loop.stress(u, elastic, element.first, creep, inner_force, stress);
+      });
+}
+template <bool plain>
+CREEPCONTACT_INLINE void set_initial_strain_force(const OfElement& element, const ElasticState& elastic,
+                                                  const CreepStrainView& creep, const Vector3& inner_force,
+                                                  double* forces) {
+  with_loop<plain>(
+      element.view, element.dimension, [&](const auto& loop) __attribute__((always_inline)) {
+        loop.initial_strain_force(elastic, element.first, creep, inner_force, forces);
       });
 }
 
-CREEPCONTACT_LONG_VECTORS void initial_strain_loop(const ElementView& element, std::size_t dimension,
-                                                   const ElasticState& elastic, std::size_t first,
-                                                   const CreepStrainView& creep, const Vector3& inner_force,
-                                                   double* forces) {
-  with_loop(
-      element, dimension, [&](const auto& loop) __attribute__((always_inline)) {
-        loop.initial_strain_force(elastic, first, creep, inner_force, forces);
-      });
+[[gnu::flatten]] CREEPCONTACT_LONG_VECTORS void stress_loop(const OfElement& element, const double* u,
+                                                            const ElasticState& elastic, const CreepStrainView& creep,
+                                                            const Vector3& inner_force, double* stress) {
+  set_stress<false>(element, u, elastic, creep, inner_force, stress);
+}
+[[gnu::flatten]] CREEPCONTACT_LONG_VECTORS void plain_stress_loop(const OfElement& element, const double* u,
+                                                                  const ElasticState& elastic,
+                                                                  const CreepStrainView& creep, double* stress) {
+  set_stress<true>(element, u, elastic, creep, Vector3::Zero(), stress);
+}
+[[gnu::flatten]] CREEPCONTACT_LONG_VECTORS void initial_strain_loop(const OfElement& element,
+                                                                    const ElasticState& elastic,
+                                                                    const CreepStrainView& creep,
+                                                                    const Vector3& inner_force, double* forces) {
+  set_initial_strain_force<false>(element, elastic, creep, inner_force, forces);
+}
+[[gnu::flatten]] CREEPCONTACT_LONG_VECTORS void plain_initial_strain_loop(const OfElement& element,
+                                                                          const ElasticState& elastic,
+                                                                          const CreepStrainView& creep,
+                                                                          double* forces) {
+  set_initial_strain_force<true>(element, elastic, creep, Vector3::Zero(), forces);
 }
 
-CREEPCONTACT_LONG_VECTORS void force_loop(const ElementView& element, std::size_t dimension, const double* stress,
-                                          double* forces) {
+[[gnu::flatten]] CREEPCONTACT_LONG_VECTORS void force_loop(const ElementView& element, std::size_t dimension,
+                                                           const double* stress, double* forces) {
   with_loop(
       element,
       dimension, [&](const auto& loop) __attribute__((always_inline)) { loop.internal_force(stress, forces); });
@@ -422,8 +489,11 @@ ElementView ElementBlock::view(std::size_t e) const {
   return {.n_nodes = n_nodes_,
           .n_points = n_points_,
           .nodes = connectivity_.data() + e * n_coupled_,
+          .n_padded = n_padded(),
           .derivatives = derivative_lanes_.data(),
+          .derivatives_by_points = derivatives_by_points_.data(),
           .shape = shape_lanes_.data(),
+          .shape_by_points = shape_by_points_.data(),
           .inverse = geometry(e),
           .weight = geometry(e) + 9 * n_points_,
           .linear = linear_functions(e),
@@ -451,7 +521,11 @@ double* ElementBlock::forces_of(std::size_t e, std::span<double> element_forces)
 void ElementBlock::stress(std::span<const double> u, const ElasticState& elastic, const CreepStrainView& creep,
                           std::span<double> stress) const {
   for_each_element([&](const ElementView& element, std::size_t e, std::size_t first) {
-    stress_loop(element, dimension(), u.data(), elastic, first, creep, inner_force(elastic, e), &stress[6 * first]);
+    const OfElement of{element, dimension(), first};
+    if (is_plain(element, elastic))
+      plain_stress_loop(of, u.data(), elastic, creep, &stress[6 * first]);
+    else
+      stress_loop(of, u.data(), elastic, creep, inner_force(elastic, e), &stress[6 * first]);
   });
 }
 
@@ -464,8 +538,11 @@ void ElementBlock::internal_force(std::span<const double> stress, std::span<doub
 void ElementBlock::initial_strain_force(const ElasticState& elastic, const CreepStrainView& creep,
                                         std::span<double> element_forces) const {
   for_each_element([&](const ElementView& element, std::size_t e, std::size_t first) {
-    initial_strain_loop(element, dimension(), elastic, first, creep, inner_force(elastic, e),
-                        forces_of(e, element_forces));
+    const OfElement of{element, dimension(), first};
+    if (is_plain(element, elastic))
+      plain_initial_strain_loop(of, elastic, creep, forces_of(e, element_forces));
+    else
+      initial_strain_loop(of, elastic, creep, inner_force(elastic, e), forces_of(e, element_forces));
   });
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// One element as the loops see it. Arrays of values at the points have the points next to each other, so that these
-/// are the lanes of the loops.
+/// One element as the loops see it. Arrays of values at the points have the points next to each other, or the nodes, so
+/// that these are the lanes of the loops.
 
 #include <cstddef>
 #include <cstdint>
@@ -25,11 +25,14 @@ struct ElementView {
   static constexpr std::size_t max_nodes = 27, max_points = 27;
 
   std::size_t n_nodes, n_points;
-  const std::int64_t* nodes;         ///< those of the cell, and in generalised plane strain the axial node
-  const double* derivatives;         ///< dN_a/dxi_k, n_nodes x 3 x n
-  const double* shape;               ///< N_a, n_nodes x n
-  const double* inverse;             ///< dxi_k/dx_j at column 3 k + j: 9 x n
-  const double* weight;              ///< n
+  const std::int64_t* nodes;            ///< those of the cell, and in generalised plane strain the axial node
+  std::size_t n_padded;                 ///< n_nodes, or more, so that vectors of nodes are full
+  const double* derivatives;            ///< dN_a/dxi_k, n_nodes x 3 x n
+  const double* derivatives_by_points;  ///< the same, n x 3 x n_padded, with zeros
+  const double* shape;                  ///< N_a, n_nodes x n
+  const double* shape_by_points;        ///< the same, n x n_padded, with zeros
+  const double* inverse;                ///< dxi_k/dx_j at column 3 k + j: 9 x n
+  const double* weight;                 ///< n
   const double* linear;              ///< Projection::linear: the functions of ElementBlock::linear_functions(), 3 x n
   const double* inverse_radius;      ///< axisymmetric sections: 1/x, n
   const Bubble* bubble;              ///< nullptr without one

@@ -1,12 +1,13 @@
 #pragma once
-/// Points of an element side by side in the registers. A loop over points is written once, for any type V of values at
-/// adjacent points: Four for four of them, double for one. Everything is inlined into functions that are compiled for
-/// several instruction sets.
+/// Points or nodes of an element side by side in the registers. A loop over points is written once, for any type V of
+/// values at adjacent points: Four for four of them, double for one. Everything is inlined into functions that are
+/// compiled for several instruction sets.
 
 #include <array>
 #include <cstddef>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 #include "creepcontact/base/instruction_sets.hpp"
 
@@ -15,6 +16,7 @@
 
 namespace creepcontact::mechanics {
 
+constexpr std::size_t lanes = 4;
 using Four = double __attribute__((vector_size(4 * sizeof(double))));
 
 template <typename V>
@@ -41,6 +43,15 @@ CREEPCONTACT_INLINE void store(const V& values, double* to, std::size_t stride) 
     *to = values;
   else
     for (std::size_t i = 0; i < 4; ++i) to[i * stride] = values[i];
+}
+
+/// work(i) for i < n, each a constant: what arrays have at such places stays in registers.
+template <std::size_t n, typename Work>
+CREEPCONTACT_INLINE void for_constants(const Work& work) {
+  [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
+    (work(std::integral_constant<std::size_t, i>()), ...);
+  }
+  (std::make_index_sequence<n>());
 }
 
 /// work.operator()<V>(first point) for all of n points.

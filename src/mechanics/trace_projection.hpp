@@ -14,18 +14,19 @@ CREEPCONTACT_INLINE V linear_function(const ElementView& element, std::size_t p,
   return load<V>(element.linear + j * element.n_points + p);
 }
 
-/// First add() at all points, then finish(), then shift() at all points. D: dimension of the section.
+/// False if all of the trace stays as it is. @param unprojected  share of it that does
+CREEPCONTACT_INLINE bool changes_trace(const ElementView& element, double unprojected) {
+  return element.projection != fem::Projection::none && unprojected != 1;
+}
+
+/// Precondition: changes_trace(). First add() at all points, then finish(), then shift() at all points. D: dimension of
+/// the section.
 template <std::size_t D>
 class TraceProjection {
  public:
   /// @param unprojected  share of the trace that stays as it is
   CREEPCONTACT_INLINE TraceProjection(const ElementView& element, double unprojected)
-      : element_(element),
-        share_(element.projection == fem::Projection::none ? 0 : (1 - unprojected) / 3),
-        is_linear_(element.projection == fem::Projection::linear) {}
-
-  /// False if all of the trace stays as it is.
-  CREEPCONTACT_INLINE bool changes() const { return share_ != 0; }
+      : element_(element), share_((1 - unprojected) / 3), is_linear_(element.projection == fem::Projection::linear) {}
 
   template <typename V>
   CREEPCONTACT_INLINE void add(std::size_t p, const V& trace) {
