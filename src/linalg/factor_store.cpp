@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "creepcontact/base/checksum.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 
 std::uint64_t pattern_of(const StiffnessToAnalyze& matrix) {
   Checksum sum;
-  const SparseMatrix& lower = matrix.lower;
+  const SparseMatrix& lower = matrix.lower.matrix();
   sum.add(lower.outerIndexPtr(), static_cast<std::size_t>(lower.cols() + 1));
   sum.add(lower.innerIndexPtr(), static_cast<std::size_t>(lower.nonZeros()));
   sum.add(matrix.block_of.data(), matrix.block_of.size());
@@ -34,10 +35,26 @@ struct Key {
   bool operator==(const Key&) const = default;
 };
 
+/// Of what a factor is made without a look at the matrix.
+struct Origin {
+  MatrixInputs inputs;
+  std::uint64_t order = 0;  // of its dofs
+  bool operator==(const Origin&) const = default;
+};
+
+std::optional<Origin> origin_of(const StiffnessToAnalyze& matrix) {
+  if (!matrix.lower.inputs()) return std::nullopt;
+  Checksum order;
+  order.add(matrix.block_of.data(), matrix.block_of.size());
+  order.add(matrix.trailing.data(), matrix.trailing.size());
+  return Origin{*matrix.lower.inputs(), order.value()};
+}
+
 /// A factor, or, while `solver` is null, one that is being computed.
 struct Entry {
   Key key;
-  std::unique_ptr<StiffnessSolver> solver;  // has it; others are made of this one
+  std::vector<Origin> origins = {};              // as far as they are known
+  std::unique_ptr<StiffnessSolver> solver = {};  // has it; others are made of this one
   int users = 0;
 };
 
@@ -52,6 +69,32 @@ class FactorStore::Content {
     for (const Entry& entry : entries_)
       if (entry.solver && entry.key.pattern == key.pattern && (best == nullptr || entry.key == key)) best = &entry;
     return best != nullptr ? best->solver->same_pattern() : nullptr;
+  }
+
+  /// The key of the factor of this origin, if it is here.
+  std::optional<Key> known(const Origin& origin) {
+    const std::scoped_lock lock(mutex_);
+    for (const Entry& entry : entries_)
+      if (entry.solver && std::ranges::find(entry.origins, origin) != entry.origins.end()) return entry.key;
+    return std::nullopt;
+  }
+
+  /// Of what a factor in use is made.
+  void learn(const Key& key, const Origin& origin) {
+    const std::scoped_lock lock(mutex_);
+    std::vector<Origin>& known = find(key)->origins;
+    if (std::ranges::find(known, origin) == known.end()) known.push_back(origin);
+  }
+
+  /// A solver with this factor, if it is here still. @returns null if not
+  std::unique_ptr<StiffnessSolver> take(const Key& key) {
+    const std::scoped_lock lock(mutex_);
+    const auto found = find(key);
+    if (found == entries_.end() || !found->solver) return nullptr;
+    ++found->users;
+    count_use();
+    ++n_found;
+    return found->solver->same_pattern();
   }
 
   /// A solver with this factor, found or computed by one of the threads that need it. @param own  a solver of the
@@ -77,7 +120,7 @@ class FactorStore::Content {
       ++n_found;
       return true;
     }
-    entries_.push_back({key, nullptr, 1});
+    entries_.push_back({.key = key, .users = 1});
     lock.unlock();
     std::unique_ptr<StiffnessSolver> copy;
     try {
@@ -129,9 +172,14 @@ class FactorStore::Content {
 /// A solver whose factors are those of the store.
 class FactorStore::Lent final : public StiffnessSolver {
  public:
-  Lent(std::shared_ptr<Content> content, GatheredPasses* gathering, std::uint64_t pattern,
+  /// @param analysed  the matrix that was analysed @param origin  of its factor, if it is known
+  Lent(std::shared_ptr<Content> content, GatheredPasses* gathering, const Key& analysed, std::optional<Origin> origin,
        std::unique_ptr<StiffnessSolver> solver)
-      : content_(std::move(content)), gathering_(gathering), pattern_(pattern), solver_(std::move(solver)) {}
+      : content_(std::move(content)),
+        gathering_(gathering),
+        analysed_(analysed),
+        origin_(std::move(origin)),
+        solver_(std::move(solver)) {}
   ~Lent() override {
     solver_.reset();
     if (used_) content_->give_back(*used_);
@@ -143,7 +191,17 @@ class FactorStore::Lent final : public StiffnessSolver {
   const void* shared_factor() const override { return solver_->shared_factor(); }
   GatheredPasses* gathering() override { return gathering_; }
   void factorize(const SparseMatrix& lower) override {
-    found_ = content_->use({pattern_, values_of(lower)}, used_, solver_, lower);
+    const Key key{analysed_.pattern, values_of(lower)};
+    found_ = content_->use(key, used_, solver_, lower);
+    if (origin_ && key == analysed_) content_->learn(key, *origin_);
+  }
+  bool take_factor() override {
+    if (!origin_ || used_) return false;
+    std::unique_ptr<StiffnessSolver> found = content_->take(analysed_);
+    if (!found) return false;
+    solver_ = std::move(found);
+    used_ = analysed_;
+    return found_ = true;
   }
   bool found_factor() const override { return found_; }
   std::int64_t size() const override { return solver_->size(); }
@@ -166,7 +224,8 @@ class FactorStore::Lent final : public StiffnessSolver {
  private:
   std::shared_ptr<Content> content_;
   GatheredPasses* gathering_;
-  std::uint64_t pattern_;
+  Key analysed_;
+  std::optional<Origin> origin_;
   std::unique_ptr<StiffnessSolver> solver_;
   std::optional<Key> used_;
   bool found_ = false;
@@ -178,10 +237,15 @@ FactorStore::~FactorStore() = default;
 StiffnessSolverFactory FactorStore::lending(GatheredPasses* gathering, StiffnessSolverFactory make) {
   return [content = content_, gathering,
           make = std::move(make)](const StiffnessToAnalyze& matrix) -> std::unique_ptr<StiffnessSolver> {
-    const Key key{pattern_of(matrix), values_of(matrix.lower)};
-    std::unique_ptr<StiffnessSolver> solver = content->analysed(key);
+    const std::optional<Origin> origin = origin_of(matrix);
+    std::optional<Key> key = origin ? content->known(*origin) : std::nullopt;
+    std::unique_ptr<StiffnessSolver> solver = key ? content->analysed(*key) : nullptr;
+    if (!solver) {
+      key = {pattern_of(matrix), values_of(matrix.lower)};
+      solver = content->analysed(*key);
+    }
     if (!solver) solver = make(matrix);
-    return std::make_unique<Lent>(content, gathering, key.pattern, std::move(solver));
+    return std::make_unique<Lent>(content, gathering, *key, origin, std::move(solver));
   };
 }
 

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <functional>
 
 #include "body_impl.hpp"
+#include "creepcontact/base/checksum.hpp"
 
 namespace creepcontact::mechanics {
 namespace {
@@ -192,6 +194,31 @@ linalg::SparseMatrix Body::on_free_unknowns(const linalg::SparseMatrix& full) co
     for (linalg::SparseMatrix::InnerIterator it(stiffness, column); it; ++it)
       if (it.row() != column && (pinned[it.row()] || pinned[column])) it.valueRef() = 0;
   return stiffness;
+}
+
+linalg::MatrixInputs Body::stiffness_inputs(const BodyConditions& at) const {
+  Checksum geometry;
+  const mesh::Mesh& mesh = impl_->mesh;
+  for (const Vector3& node : mesh.nodes) geometry.add(node.data(), 3);
+  for (const mesh::CellBlock& block : mesh.blocks) {
+    if (!mesh.is_bulk(block.type)) continue;
+    geometry.add(&block.type, 1);
+    geometry.add(block.connectivity.data(), block.connectivity.size());
+  }
+  const mesh::Section& section = mesh.section;
+  geometry.add(&section.analysis, 1);
+  geometry.add(std::array{section.thickness, section.axial_length}.data(), 2);
+  geometry.add(&section.project_distorted, 1);
+  geometry.add(&mesh.axial_node, 1);
+  if (const auto& own = impl_->own_elements) geometry.add(own->data(), own->size());
+  impl_->constraints.add_to(geometry);
+  geometry.add(impl_->fixing_dofs.data(), impl_->fixing_dofs.size());
+
+  Checksum material;
+  const ElasticState elastic = at.stiffness();
+  for (const Moduli& moduli : elastic.moduli) material.add(std::array{moduli.lambda, moduli.mu}.data(), 2);
+  for (const Matrix6& moduli : elastic.matrices) material.add(moduli.data(), 36);
+  return {geometry.value(), material.value()};
 }
 
 }  // namespace creepcontact::mechanics

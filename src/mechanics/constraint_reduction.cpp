@@ -71,6 +71,19 @@ linalg::SparseMatrix Constraints::reduce(const linalg::SparseMatrix& lower) cons
   return reduced;
 }
 
+void Constraints::add_to(Checksum& sum) const {
+  sum.add(frame_of_node_.data(), frame_of_node_.size());
+  for (const Frame& frame : frames_) {
+    sum.add(frame.axes.data(), 9);
+    sum.add(&frame.n_held, 1);
+  }
+  for (const auto& free : free_index_) sum.add(free.data(), free.size());
+  if (links_.empty()) return;
+  sum.add(transformation_.outerIndexPtr(), static_cast<std::size_t>(transformation_.outerSize() + 1));
+  sum.add(transformation_.innerIndexPtr(), static_cast<std::size_t>(transformation_.nonZeros()));
+  sum.add(transformation_.valuePtr(), static_cast<std::size_t>(transformation_.nonZeros()));
+}
+
 Eigen::SparseMatrix<double, Eigen::RowMajor> Constraints::reduce_rows(
     const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows) const {
   using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;

@@ -35,8 +35,13 @@ void add_own_hourglass_stiffness(const Body& body, const Eigen::VectorXd& diagon
 
 FactoredBody::FactoredBody(const Body& body, const BodyConditions& at, const std::vector<std::int64_t>& trailing,
                            const linalg::StiffnessSolverFactory& make_solver)
-    : body_(&body), analyzed_(body.on_free_unknowns(body.full_stiffness(at))), time_(at.time) {
-  solver_ = make_solver({analyzed_, body.constraints().node_of_free(), trailing, [&body] {
+    : body_(&body), time_(at.time) {
+  const auto assembled = [&]() -> const linalg::SparseMatrix& {
+    if (!analyzed_) analyzed_ = stiffness(at);
+    return *analyzed_;
+  };
+  solver_ = make_solver({linalg::MatrixOnDemand(assembled, body.stiffness_inputs(at)),
+                         body.constraints().node_of_free(), trailing, [&body] {
                            Eigen::MatrixXd motions = rigid_motions_on_free(body.mesh().nodes, body.constraints());
                            for (const std::int64_t pin : body.fixing_dofs()) motions.row(pin).setZero();
                            return motions;
@@ -44,10 +49,11 @@ FactoredBody::FactoredBody(const Body& body, const BodyConditions& at, const std
 }
 
 void FactoredBody::factorize(const BodyConditions& at) {
-  const linalg::SparseMatrix analyzed = std::exchange(analyzed_, {});
-  const bool usable = !factored_ && time_ == at.time;
+  const std::optional<linalg::SparseMatrix> analyzed = std::exchange(analyzed_, std::nullopt);
+  const bool is_analyzed = !factored_ && time_ == at.time;
   try {
-    solver_->factorize(usable ? analyzed : stiffness(at));
+    if (!is_analyzed || !solver_->take_factor())
+      solver_->factorize(is_analyzed && analyzed ? *analyzed : stiffness(at));
   } catch (const linalg::SingularMatrix& error) {
     if (factored_ || !type_with_hourglass_modes(body_->mesh())) report_singular(error);
     stabilize(at);

@@ -35,7 +35,9 @@ double chebyshev_error(double condition, int degree) {
 class MultigridStiffness final : public linalg::StiffnessSolver {
  public:
   MultigridStiffness(const linalg::StiffnessToAnalyze& matrix, double error)
-      : error_(error), numbering_(number_blocks(matrix.lower, matrix.block_of)), n_entries_(matrix.lower.nonZeros()) {
+      : error_(error),
+        numbering_(number_blocks(matrix.lower, matrix.block_of)),
+        n_entries_(matrix.lower.matrix().nonZeros()) {
     if (size() == 0) return;
     require_petsc();
     set_pattern(matrix.lower);

@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "creepcontact/linalg/task_list.hpp"
@@ -48,6 +50,10 @@ class StiffnessSolver {
   /// Numeric factorisation. @param lower  with the pattern that was analysed
   /// @throws SingularMatrix, after which factorize() may be called again; SolverError if memory runs out
   virtual void factorize(const SparseMatrix& lower) = 0;
+
+  /// Takes the factor of the analysed matrix, if its inputs are known and somebody has computed it (FactorStore).
+  /// @returns false: factorize() must be called
+  virtual bool take_factor() { return false; }
 
   /// What solvers have in common that share one factor, in different threads too; null: it is shared with none.
   virtual const void* shared_factor() const { return nullptr; }
@@ -110,9 +116,34 @@ struct SeveralSubstitutions {
 /// pass() with several vectors for each body; a factor is read once for all of them if it is a shared_factor().
 void pass_several(PassDirection direction, std::span<const SeveralSubstitutions> of_bodies);
 
+/// What the entries of a matrix are computed from, as checksums: equal ones have equal matrices, to the last bit.
+struct MatrixInputs {
+  std::uint64_t geometry = 0, material = 0;
+  bool operator==(const MatrixInputs&) const = default;
+};
+
+/// A matrix that exists, or one that is made when somebody needs it.
+class MatrixOnDemand {
+ public:
+  /// @param matrix  must outlive the object
+  MatrixOnDemand(const SparseMatrix& matrix) : make_([&matrix]() -> const SparseMatrix& { return matrix; }) {}
+  /// @param make  may be called several times
+  explicit MatrixOnDemand(std::function<const SparseMatrix&()> make, MatrixInputs inputs)
+      : make_(std::move(make)), inputs_(inputs) {}
+
+  const SparseMatrix& matrix() const { return make_(); }
+  operator const SparseMatrix&() const { return make_(); }
+  /// nullopt: not known.
+  const std::optional<MatrixInputs>& inputs() const { return inputs_; }
+
+ private:
+  std::function<const SparseMatrix&()> make_;
+  std::optional<MatrixInputs> inputs_;
+};
+
 /// A matrix to be ordered and analysed.
 struct StiffnessToAnalyze {
-  const SparseMatrix& lower;               ///< n x n, lower triangle; n may be 0
+  MatrixOnDemand lower;                    ///< n x n, lower triangle; n may be 0
   std::span<const std::int64_t> block_of;  ///< n entries: dofs with the same number are of the same node
   std::span<const std::int64_t> trailing;  ///< dofs to be eliminated last, in this order; may be empty
   /// The six rigid-body motions of the body without its supports, n x 6, which iterative solvers need; may be null.

@@ -112,6 +112,8 @@ class Body {
   /// Reduces a lower triangle on all dofs to the free ones. Rows and columns of the fixing dofs are zero off the
   /// diagonal.
   linalg::SparseMatrix on_free_unknowns(const linalg::SparseMatrix& full) const;
+  /// What on_free_unknowns(full_stiffness(at)) is computed from. Cost: far below that of an assembly.
+  linalg::MatrixInputs stiffness_inputs(const BodyConditions& at) const;
 
  private:
   struct Impl;

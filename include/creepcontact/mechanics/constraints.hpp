@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/base/checksum.hpp"
 #include "creepcontact/base/function.hpp"
 #include "creepcontact/linalg/stiffness_solver.hpp"
 #include "creepcontact/mechanics/node_links.hpp"
@@ -53,6 +54,8 @@ class Constraints {
   /// @param lower  lower triangle of K on all dofs, with complete 3 x 3 blocks of nodes as from
   /// Discretization::stiffness()
   linalg::SparseMatrix reduce(const linalg::SparseMatrix& lower) const;
+  /// Adds all that reduce() depends on.
+  void add_to(Checksum& sum) const;
   /// C T for rows C on all dofs. The caller applies C to prescribed(t) where the right-hand sides need it.
   Eigen::SparseMatrix<double, Eigen::RowMajor> reduce_rows(
       const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows) const;

@@ -1,6 +1,7 @@
 #pragma once
 /// The factored stiffness of one body at one time.
 
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -50,7 +51,7 @@ class FactoredBody {
 
   const Body* body_;
   std::unique_ptr<linalg::StiffnessSolver> solver_;
-  linalg::SparseMatrix analyzed_;  // the stiffness, until factorize()
+  std::optional<linalg::SparseMatrix> analyzed_;  // the stiffness until factorize(), if somebody needed it
   std::vector<Moduli> moduli_;
   std::vector<Matrix6> matrices_;
   double time_ = 0;

@@ -6,6 +6,7 @@
 
 #include <numeric>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "creepcontact/base/error.hpp"
@@ -80,6 +81,53 @@ TEST(FactorStore, AnotherMatrixIsFactored) {
   const auto turned = lend({soft, blocks.of, other});
   solved(*turned, soft);
   EXPECT_FALSE(turned->found_factor());
+}
+
+TEST(FactorStore, AMatrixOfKnownInputsIsNotMade) {
+  const Blocks blocks;
+  FactorStore store;
+  const StiffnessSolverFactory lend = store.lending();
+  const SparseMatrix soft = chain(size, 1), hard = chain(size, 2);
+  int n_made = 0;
+  const auto on_demand = [&](const SparseMatrix& matrix, MatrixInputs inputs) {
+    return MatrixOnDemand(
+        [&]() -> const SparseMatrix& {
+          ++n_made;
+          return matrix;
+        },
+        inputs);
+  };
+  const auto displacement = [&](const SparseMatrix& matrix, MatrixInputs inputs,
+                                std::span<const std::int64_t> trailing) {
+    const auto solver = lend({on_demand(matrix, inputs), blocks.of, trailing});
+    if (!solver->take_factor()) return solved(*solver, matrix).back();
+    EXPECT_TRUE(solver->found_factor());
+    std::vector<double> x(size, 0.0);
+    x.back() = 1;
+    solver->forward(x, x);
+    solver->backward(x, x);
+    return x.back();
+  };
+  EXPECT_NEAR(displacement(soft, {1, 1}, blocks.trailing), size, 1e-9);
+  EXPECT_GT(std::exchange(n_made, 0), 0);
+  EXPECT_NEAR(displacement(soft, {1, 1}, blocks.trailing), size, 1e-9);
+  EXPECT_EQ(n_made, 0);
+  EXPECT_EQ(store.n_computed(), 1);
+  EXPECT_EQ(store.n_found(), 1);
+  // Other inputs, or another order.
+  EXPECT_NEAR(displacement(hard, {1, 2}, blocks.trailing), size / 2.0, 1e-9);
+  EXPECT_GT(std::exchange(n_made, 0), 0);
+  const std::vector<std::int64_t> other{7, 3};
+  EXPECT_NEAR(displacement(hard, {1, 2}, other), size / 2.0, 1e-9);
+  EXPECT_GT(std::exchange(n_made, 0), 0);
+  // What was factored is not what was analysed: the inputs stay unknown.
+  {
+    const auto solver = lend({on_demand(soft, {3, 3}), blocks.of, blocks.trailing});
+    EXPECT_NEAR(solved(*solver, hard).back(), size / 2.0, 1e-9);
+  }
+  n_made = 0;
+  EXPECT_NEAR(displacement(soft, {3, 3}, blocks.trailing), size, 1e-9);
+  EXPECT_GT(n_made, 0);
 }
 
 TEST(FactorStore, ThreadsShareAFactor) {

@@ -42,6 +42,30 @@ TEST(Body, FreeBodyUnderBalancedLoads) {
   }
 }
 
+/// Bodies have the same inputs of the stiffness where they have the same stiffness.
+TEST(Body, InputsOfTheStiffnessTellItApart) {
+  const auto make = [](double length, double young_modulus, const Vector3& held, double value, const char* on) {
+    const mesh::Mesh box = box_mesh(CellType::hex20, {2, 1, 1}, {length, 1, 1});
+    material::Material material = elastic_material();
+    material.young_modulus = young_modulus;
+    Support support{on, mesh::group_nodes(box, on), {held.normalized()}, value};
+    return Body("box", box, material, {support}, std::nullopt);
+  };
+  const Body body = make(2, 2e5, Vector3::UnitX(), 0, "x0");
+  const auto stiffness = [](const Body& of) { return of.on_free_unknowns(of.full_stiffness(of.at(0))); };
+  const linalg::MatrixInputs inputs = body.stiffness_inputs(body.at(0));
+  const Body moved = make(2, 2e5, Vector3::UnitX(), 0.1, "x0");
+  EXPECT_EQ(moved.stiffness_inputs(moved.at(0)), inputs);
+  EXPECT_EQ((stiffness(moved) - stiffness(body)).norm(), 0);
+  for (const Body& other : {make(2.1, 2e5, Vector3::UnitX(), 0, "x0"), make(2, 2.1e5, Vector3::UnitX(), 0, "x0"),
+                            make(2, 2e5, Vector3::UnitY(), 0, "x0"), make(2, 2e5, Vector3(1, 0.1, 0), 0, "x0"),
+                            make(2, 2e5, Vector3::UnitX(), 0, "x1")})
+    EXPECT_NE(other.stiffness_inputs(other.at(0)), inputs);
+  const std::vector<std::size_t> elements{1};
+  const Body part = body.part(elements, std::vector<char>(body.mesh().nodes.size(), 1));
+  EXPECT_NE(part.stiffness_inputs(part.at(0)), inputs);
+}
+
 TEST(Body, ResultantsOfALoadOnAFreeBody) {
   const mesh::Mesh box = box_mesh(CellType::hex8, {1, 1, 1}, {2, 2, 2}, {-1, -1, -1});
   Body body("ring", box, elastic_material(), {support(box, "z0", Vector3::UnitZ())}, std::nullopt);
