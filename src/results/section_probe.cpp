@@ -16,13 +16,24 @@ FaceArea area_beyond(const mechanics::Cut& cut, const mesh::Face& face) {
   return {found.beyond, found.whole};
 }
 
-/// Shares of nodal forces that act beyond the plane: those of nodes on the faces are spread over them, the others act
-/// at their node.
-std::vector<double> shares_beyond(const mechanics::Cut& cut, const std::vector<mesh::Face>& faces) {
-  std::vector<double> shares(cut.mesh().nodes.size());
-  for (std::size_t i = 0; i < shares.size(); ++i) shares[i] = cut.node_share(static_cast<std::int64_t>(i));
-  for (const auto& [node, share] : node_shares(faces, [&](const mesh::Face& face) { return area_beyond(cut, face); }))
-    shares[node] = share;
+/// A node of which a share of the force acts beyond the plane.
+struct NodeShare {
+  std::int64_t node;
+  double share;
+};
+
+/// Those of which any does: the forces of nodes on the faces are spread over them, the others act at their node.
+/// @param except  nodes that do not count
+std::vector<NodeShare> shares_beyond(const mechanics::Cut& cut, const std::vector<mesh::Face>& faces,
+                                     const std::map<std::int64_t, Matrix3>& except = {}) {
+  const auto on_faces = node_shares(faces, [&](const mesh::Face& face) { return area_beyond(cut, face); });
+  std::vector<NodeShare> shares;
+  for (std::int64_t node = 0; node < std::ssize(cut.mesh().nodes); ++node) {
+    if (node == cut.mesh().axial_node || except.contains(node)) continue;
+    const auto spread = on_faces.find(node);
+    const double share = spread != on_faces.end() ? spread->second : cut.node_share(node);
+    if (share != 0) shares.push_back({node, share});
+  }
   return shares;
 }
 
@@ -87,8 +98,8 @@ class SectionProbe final : public Probe {
         plane_(plane),
         quantity_(quantity),
         about_(about),
-        at_nodes_(shares_beyond(cut, {})),
         at_supports_(reactions_beyond(cut, model.bodies()[body])),
+        at_nodes_(shares_beyond(cut, {}, at_supports_)),
         loads_(model.bodies()[body].loads_beyond(cut)) {
     const std::vector<contact::Pair>& pairs = model.pairs();
     for (std::size_t p = 0; p < pairs.size(); ++p)
@@ -122,7 +133,7 @@ class SectionProbe final : public Probe {
   struct Contact {
     std::size_t pair;
     bool is_slave;
-    std::vector<double> shares;
+    std::vector<NodeShare> shares;
   };
   static void add(const Vector3& arm, const Vector3& force, Resultant& into) {
     into.force += force;
@@ -134,31 +145,26 @@ class SectionProbe final : public Probe {
   }
 
   void add_reactions(Snapshot& snapshot, Resultant& into) const {
-    const mesh::Mesh& mesh = snapshot.assembly().bodies()[body_].mesh();
     const std::vector<double>& reactions = snapshot.reactions(body_);
-    for (std::size_t i = 0; i < mesh.n_cell_nodes(); ++i) {
-      const Eigen::Map<const Vector3> reaction(reactions.data() + 3 * i);
-      const auto support = at_supports_.find(static_cast<std::int64_t>(i));
-      add(mesh.nodes[i] - about_,
-          support != at_supports_.end() ? Vector3(support->second * reaction) : Vector3(at_nodes_[i] * reaction), into);
-    }
+    const Eigen::Map<const Eigen::VectorXd> forces(reactions.data(), std::ssize(reactions));
+    add_nodes(snapshot, forces, at_nodes_, into);
+    const mesh::Mesh& mesh = snapshot.assembly().bodies()[body_].mesh();
+    for (const auto& [node, share] : at_supports_)
+      add(mesh.nodes[node] - about_, share * forces.segment<3>(3 * node), into);
   }
 
-  void add_nodes(Snapshot& snapshot, const Eigen::Ref<const Eigen::VectorXd>& forces, const std::vector<double>& shares,
-                 Resultant& into) const {
+  void add_nodes(Snapshot& snapshot, const Eigen::Ref<const Eigen::VectorXd>& forces,
+                 const std::vector<NodeShare>& shares, Resultant& into) const {
     const mesh::Mesh& mesh = snapshot.assembly().bodies()[body_].mesh();
-    for (std::size_t i = 0; i < mesh.n_cell_nodes(); ++i) {
-      if (shares[i] == 0) continue;
-      add(mesh.nodes[i] - about_, shares[i] * forces.segment<3>(3 * static_cast<Index>(i)), into);
-    }
+    for (const auto& [node, share] : shares) add(mesh.nodes[node] - about_, share * forces.segment<3>(3 * node), into);
   }
 
   std::size_t body_;
   OnPlane plane_;
   const Quantity& quantity_;
   Vector3 about_;
-  std::vector<double> at_nodes_;  // shares of forces that act at their node
   std::map<std::int64_t, Matrix3> at_supports_;
+  std::vector<NodeShare> at_nodes_;  // of all others
   std::vector<mechanics::PointForces> loads_;
   std::vector<Contact> contacts_;
 };

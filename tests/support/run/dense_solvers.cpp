@@ -97,17 +97,17 @@ class WithoutMemory final : public DenseCholesky {
 }  // namespace
 
 std::unique_ptr<linalg::StiffnessSolver> dense_cholesky(const linalg::StiffnessToAnalyze& matrix) {
-  return std::make_unique<DenseCholesky>(matrix.lower.rows(), matrix.trailing);
+  return std::make_unique<DenseCholesky>(matrix.lower.matrix().rows(), matrix.trailing);
 }
 
 linalg::StiffnessSolverFactory inexact_solvers(double error) {
   return [error](const linalg::StiffnessToAnalyze& matrix) {
-    return std::make_unique<Inexact>(matrix.lower.rows(), error);
+    return std::make_unique<Inexact>(matrix.lower.matrix().rows(), error);
   };
 }
 
 std::unique_ptr<linalg::StiffnessSolver> without_memory(const linalg::StiffnessToAnalyze& matrix) {
-  return std::make_unique<WithoutMemory>(matrix.lower.rows(), matrix.trailing);
+  return std::make_unique<WithoutMemory>(matrix.lower.matrix().rows(), matrix.trailing);
 }
 
 }  // namespace creepcontact::run::test
