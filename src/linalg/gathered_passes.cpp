@@ -124,10 +124,7 @@ void GatheredPasses::make(PassDirection direction, std::span<Request* const> req
   const std::clock_t before = std::clock();  // nothing else is under way
   std::vector<TaskList*> lists;
   for (const Group& group : groups) {
-    const PassVector& first = group.vectors.front();
-    lists.push_back(group.vectors.size() > 1              ? &group.solver->tasks_of_several(direction, group.vectors)
-                    : direction == PassDirection::forward ? &group.solver->forward_tasks(first.from, first.into)
-                                                          : &group.solver->backward_tasks(first.from, first.into));
+    lists.push_back(&group.solver->tasks(direction, group.vectors));
     ++counters_.passes;
     counters_.vectors += std::ssize(group.vectors);
   }

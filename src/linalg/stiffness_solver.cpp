@@ -10,6 +10,13 @@ TaskList& StiffnessSolver::tasks_of_several(PassDirection /*direction*/, std::sp
   throw std::logic_error("a solver that does not share its factor makes passes of one vector");
 }
 
+TaskList& StiffnessSolver::tasks(PassDirection direction, std::span<const PassVector> vectors) {
+  if (vectors.size() > 1) return tasks_of_several(direction, vectors);
+  const PassVector& only = vectors.front();
+  return direction == PassDirection::forward ? forward_tasks(only.from, only.into)
+                                             : backward_tasks(only.from, only.into);
+}
+
 void StiffnessSolver::forward(std::span<const double> b, std::span<double> y) {
   const Substitution whole{this, b, y};
   pass(PassDirection::forward, {&whole, 1});
@@ -25,9 +32,10 @@ void pass(PassDirection direction, std::span<const Substitution> of_bodies) {
   if (gathering != nullptr && gathering->join(direction, of_bodies)) return;
   std::vector<TaskList*> lists;
   lists.reserve(of_bodies.size());
-  for (const Substitution& part : of_bodies)
-    lists.push_back(direction == PassDirection::forward ? &part.solver->forward_tasks(part.from, part.into)
-                                                        : &part.solver->backward_tasks(part.from, part.into));
+  for (const Substitution& part : of_bodies) {
+    const PassVector only{part.from, part.into};
+    lists.push_back(&part.solver->tasks(direction, {&only, 1}));
+  }
   run(lists, pass_in_parallel_from);
 }
 
@@ -36,12 +44,13 @@ void pass_several(PassDirection direction, std::span<const SeveralSubstitutions>
   for (const SeveralSubstitutions& part : of_bodies) {
     if (part.vectors.empty()) continue;
     if (part.solver->shared_factor() != nullptr) {
-      lists.push_back(&part.solver->tasks_of_several(direction, part.vectors));
+      lists.push_back(&part.solver->tasks(direction, part.vectors));
       continue;
     }
-    for (const PassVector& vector : part.vectors)
-      direction == PassDirection::forward ? part.solver->forward(vector.from, vector.into)
-                                          : part.solver->backward(vector.from, vector.into);
+    for (const PassVector& vector : part.vectors) {
+      const Substitution whole{part.solver, vector.from, vector.into};
+      pass(direction, {&whole, 1});
+    }
   }
   run(lists, pass_in_parallel_from);
 }

@@ -77,6 +77,8 @@ class StiffnessSolver {
   /// Either of them for several vectors at once, for all of which the factor is read once.
   /// @throws std::logic_error if there is no shared_factor()
   virtual TaskList& tasks_of_several(PassDirection direction, std::span<const PassVector> vectors);
+  /// Either of them for one or more vectors. Precondition: one, or a shared_factor()
+  TaskList& tasks(PassDirection direction, std::span<const PassVector> vectors);
 
   /// L22, trailing_size() square, lower triangular with a zero upper part. Cost: a copy.
   virtual Eigen::MatrixXd trailing_factor() const = 0;

@@ -49,7 +49,7 @@ class Sensitivities final : public EventConditions {
   }
 
   void save(creep::Memory& memory) const override {
-    memory.save("sensitivity.state", integrator_.derivatives());
+    memory["sensitivity.state"] = integrator_.derivatives();
     memory.save("sensitivity.events", changes_of_events_);
     of_.save(memory);
   }
