@@ -35,7 +35,7 @@ struct Key {
   bool operator==(const Key&) const = default;
 };
 
-/// Of what a factor is made without a look at the matrix.
+/// What a factor is made of, as far as it is known without a look at the matrix.
 struct Origin {
   MatrixInputs inputs;
   std::uint64_t order = 0;  // of its dofs
@@ -79,7 +79,7 @@ class FactorStore::Content {
     return std::nullopt;
   }
 
-  /// Of what a factor in use is made.
+  /// What a factor in use is made of.
   void learn(const Key& key, const Origin& origin) {
     const std::scoped_lock lock(mutex_);
     std::vector<Origin>& known = find(key)->origins;

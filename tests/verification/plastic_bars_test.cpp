@@ -74,8 +74,8 @@ TEST(PlasticBars, AllAtOnceIsTheSameAsLittleByLittle) {
 TEST(PlasticBars, CannotCarryMoreThanTheirLimitLoad) {
   const Outcome outcome = pull("{ t = [0, 1], values = [0, 5] }", "end = 1", true);
   EXPECT_EQ(outcome.exit_status, 4);
-  EXPECT_TRUE(says(outcome.message, {"cannot be carried", "flows", "plastic strain", "yield stress"}))
-      << outcome.message;
+  // How far it flows in the last step, or without limit, depends on rounding: beyond the limit load nothing holds it.
+  EXPECT_TRUE(says(outcome.message, {"cannot be carried", "flows", "yield stress"})) << outcome.message;
   EXPECT_NEAR(5 * outcome.summary.number("time_reached"), 4.5, 1e-3);
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <bit>
 #include <numeric>
 #include <pugixml.hpp>
@@ -25,22 +26,34 @@ class Appender {
     node.append_attribute("NumberOfComponents") = array.components;
     add_component_names(node, array.component_names);
     node.append_attribute("format") = "appended";
-    node.append_attribute("offset") = static_cast<unsigned long long>(size_);
-    arrays_.push_back(&array);
-    size_ += array.data.size();
+    arrays_.push_back({node.append_attribute("offset"), &array});
   }
-  /// @returns the bytes of all arrays between two texts
+  /// Tells the document where the bytes are: those of the array that was added last come first. meshio 5 counts offsets
+  /// again from the first bytes on, and takes the first array in the document with an offset, old or new, for the next:
+  /// in the order of the document it would now and then take one whose bytes it has read.
+  void place() {
+    std::reverse(arrays_.begin(), arrays_.end());
+    for (auto& [offset, array] : arrays_) {
+      offset = static_cast<unsigned long long>(size_);
+      size_ += array->data.size();
+    }
+  }
+  /// After place(). @returns the bytes of all arrays between two texts
   std::string between(std::string_view before, std::string_view after) const {
     std::string all;
     all.reserve(before.size() + size_ + after.size());
     all += before;
-    for (const EncodedArray* array : arrays_) all += array->data;
+    for (const auto& placed : arrays_) all += placed.array->data;
     all += after;
     return all;
   }
 
  private:
-  std::vector<const EncodedArray*> arrays_;
+  struct Placed {
+    pugi::xml_attribute offset;
+    const EncodedArray* array;
+  };
+  std::vector<Placed> arrays_;
   std::size_t size_ = 0;
 };
 
@@ -108,6 +121,7 @@ std::string vtu_document(const VtuContent& content) {
   appender.add(piece.append_child("Points"), *content.points);
   pugi::xml_node cells = piece.append_child("Cells");
   for (const EncodedArray& array : *content.cells) appender.add(cells, array);
+  appender.place();
 
   pugi::xml_node appended = file.append_child("AppendedData");
   appended.append_attribute("encoding") = "raw";
