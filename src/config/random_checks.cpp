@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 #include <sstream>
 
 #include "creepcontact/base/error.hpp"
@@ -56,14 +57,22 @@ std::string advice_for(const RandomKey& key, int side, double end) {
       description_of(key), how_often);
 }
 
-/// Lines of the message about this override, without its text.
-std::vector<std::string> lines_about(const std::string& message, const Setting& setting) {
-  const std::string begin = std::string(override_prefix) + setting.override_text() + ": ";
-  std::vector<std::string> lines;
+/// Adds the lines of a message about one of these random keys, each at its key; the others at the first key.
+/// @param settings  of the keys @param advice  to add
+void add_lines(const std::string& message, const std::vector<RandomKey>& keys, std::span<const Setting> settings,
+               const std::string& advice, Diagnostics& errors) {
   std::istringstream all(message);
-  for (std::string line; std::getline(all, line);)
-    lines.push_back(line.starts_with(begin) ? line.substr(begin.size()) : line);
-  return lines;
+  for (std::string line; std::getline(all, line);) {
+    std::size_t key = 0;
+    for (std::size_t k = 0; k < settings.size(); ++k) {
+      const std::string begin = std::string(override_prefix) + settings[k].override_text() + ": ";
+      if (!line.starts_with(begin)) continue;
+      line.erase(0, begin.size());
+      key = k;
+      break;
+    }
+    errors.add(keys[key].key.location, line + advice);
+  }
 }
 
 }  // namespace
@@ -96,21 +105,29 @@ void check_random_keys(const Study& study, const std::vector<Setting>& settings,
 
   std::vector<Setting> medians;
   for (const RandomKey& key : random.keys) medians.push_back(sampled_setting(key, sampled_value(key, 0)));
+  const auto complaint = [&](const std::vector<Setting>& sampled) -> std::string {
+    std::vector<Setting> all = settings;
+    all.insert(all.end(), sampled.begin(), sampled.end());
+    try {
+      read(study.base, vocabulary, overrides(study, all));
+      return "";
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+  };
+  if (const std::string message = complaint(medians); !message.empty())
+    return add_lines(message, random.keys, medians, "", errors);  // not the distribution is at fault, but the key
   for (std::size_t k = 0; k < names.size(); ++k)
     for (const int side : {-1, 1}) {
       const RandomKey& key = random.keys[k];
       const double end = end_of(key, side);
-      std::vector<Setting> own = settings;
-      own.insert(own.end(), medians.begin(), medians.end());
-      own[settings.size() + k] = sampled_setting(key, end);
-      try {
-        read(study.base, vocabulary, overrides(study, own));
-      } catch (const ConfigError& error) {
-        for (const std::string& line : lines_about(error.what(), own[settings.size() + k]))
-          errors.add(key.key.location,
-                     line.find("unknown key") != std::string::npos ? line : line + ". " + advice_for(key, side, end));
-        break;  // one side is enough to act on
-      }
+      std::vector<Setting> own = medians;
+      own[k] = sampled_setting(key, end);
+      const std::string message = complaint(own);
+      if (message.empty()) continue;
+      const std::vector<RandomKey> only{key};
+      add_lines(message, only, std::span(own).subspan(k, 1), ". " + advice_for(key, side, end), errors);
+      break;  // one side is enough to act on
     }
 }
 

@@ -256,7 +256,7 @@ struct GivenRandom : Random {
 
 std::size_t index_of(const std::vector<RandomKey>& keys, const std::string& name) {
   const auto found =
-      std::ranges::find_if(keys, [&](const RandomKey& key) { return with_dots(key.key.name) == with_dots(name); });
+      std::ranges::find_if(keys, [&](const RandomKey& key) { return parts_of(key.key.name) == parts_of(name); });
   return static_cast<std::size_t>(found - keys.begin());
 }
 
@@ -337,29 +337,31 @@ void check_random(Study& study, Diagnostics& errors) {
   if (!study.random) return;
   Random& random = *study.random;
   for (auto key = random.keys.begin(); key != random.keys.end(); ++key) {
-    const std::string name = with_dots(key->key.name);
-    if (name == "mesh" || name.starts_with("mesh."))
+    const std::vector<std::string> parts = parts_of(key->key.name);
+    if (parts.front() == "mesh")
       errors.add(key->key.location, fmt::format("'{}': every sample would be a mesh of its own", key->key.name),
                  "keys outside [mesh]; give meshes apart as runs with [[axes]], whose combinations all get the same "
                  "samples");
-    if (name == "time" || name.starts_with("time.") || name.starts_with("output."))
+    if (parts.front() == "time" || parts.front() == "output")
       errors.add(key->key.location,
                  fmt::format("'{}': samples would be compared at times or with errors of their own", key->key.name),
                  "keys that describe the model");
-    const auto same = [&](const std::string& other) { return with_dots(other) == name; };
+    const auto overlaps = [&](const std::string& other) {
+      return is_within(parts, parts_of(other)) || is_within(parts_of(other), parts);
+    };
     const auto before =
-        std::find_if(random.keys.begin(), key, [&](const RandomKey& other) { return same(other.key.name); });
+        std::find_if(random.keys.begin(), key, [&](const RandomKey& other) { return overlaps(other.key.name); });
     if (before != key)
       errors.add(key->key.location,
                  fmt::format("'{}' is already distributed, in line {}", key->key.name, before->key.location.line));
     for (const Product& product : products(study)) {
       for (const Axis& axis : product.axes)
-        if (same(axis.key.name))
+        if (overlaps(axis.key.name))
           errors.add(key->key.location,
                      fmt::format("'{}' also has an axis, in line {}", key->key.name, axis.key.location.line),
                      "values on an axis, or a distribution");
       for (const Setting& setting : product.settings)
-        if (same(setting.key))
+        if (overlaps(setting.key))
           errors.add(key->key.location,
                      fmt::format("'{}' is also set in [[runs]], in line {}", key->key.name, setting.key_location.line),
                      "a value in [[runs]], or a distribution");

@@ -67,9 +67,7 @@ toml::table document_of(const std::string& text, const std::filesystem::path& fi
 
 KeyContent content_at(const toml::table& document, const std::string& key) {
   const toml::node* found = &document;
-  std::istringstream parts(with_dots(key));
-  for (std::string part; std::getline(parts, part, '.');) {
-    std::erase(part, '"');
+  for (const std::string& part : parts_of(key)) {
     if (const toml::table* table = found->as_table()) {
       found = table->get(part);
     } else if (const toml::array* list = found->as_array()) {

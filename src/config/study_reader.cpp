@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/config/dotted_key.hpp"
 #include "creepcontact/config/study.hpp"
 #include "random_table.hpp"
 #include "study_tables.hpp"
@@ -15,7 +16,7 @@ namespace {
 void check_axes(const Product& product, Diagnostics& errors) {
   for (auto axis = product.axes.begin(); axis != product.axes.end(); ++axis) {
     for (auto other = product.axes.begin(); other != axis; ++other) {
-      if (axis->key.given() && axis->key.name == other->key.name)
+      if (axis->key.given() && parts_of(axis->key.name) == parts_of(other->key.name))
         errors.add(axis->key.location,
                    fmt::format("'{}' already has an axis, in line {}", axis->key.name, other->key.location.line));
       if (axis->zip.empty() || axis->zip != other->zip || axis->values.empty() || other->values.empty()) continue;

@@ -111,7 +111,9 @@ Value<int> integer(int min, int max) {
   value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<int> {
     const auto* found = item.node->as_integer();
     if (found && found->get() >= min && found->get() <= max) return static_cast<int>(found->get());
-    context.errors.add(item.location, describe(*item.node), type);
+    const bool is_too_large = found && found->get() > max && std::isinf(range.max);
+    context.errors.add(item.location, describe(*item.node),
+                       is_too_large ? fmt::format("{}, at most {}", type, max) : type);
     return std::nullopt;
   };
   value.visit = [](const int& one, Visitor& to) { to.leaf([&] { return fmt::format("{}", one); }); };

@@ -23,9 +23,9 @@ PairValues::PairValues(const contact::Pair& pair, const creep::Equilibrium& at,
 }
 
 double PairValues::open_gap(std::size_t node) const {
+  if (contact::is_closed(pair_, node, at_.contact)) return 0;  // without the rounding of the solution
   const double gap = at_.gaps[pair_.first_row + pair_.coupling.row(node)] / pair_.coupling.area[node];
   if (!pair_.gasket) return gap;
-  if (contact::is_closed(pair_, node, at_.contact)) return 0;
   const double largest = at_.largest_closure[pair_.first_node + static_cast<Index>(node)];
   return gap + pair_.gasket->kind().law.curve(largest, temperatures_[node]).begin();
 }

@@ -189,7 +189,7 @@ std::vector<OutputVariable> make_variables() {
                  .dimension = Dimension::stress,
                  .support = AtMultipliers{&ContactValues::pressure}});
   all.push_back({.name = "gap",
-                 .description = "normal distance of the surfaces; zero up to rounding where closed",
+                 .description = "normal distance of the surfaces; zero where they are closed",
                  .label = "gap",
                  .dimension = Dimension::length,
                  .support = AtMultipliers{&ContactValues::gap}});

@@ -13,7 +13,7 @@ class Search {
  public:
   Search(double from, double to, double resolution, ConditionState at_end, const ConditionAt& at,
          const WouldHold& would_hold)
-      : at_(at), would_hold_(would_hold), width_(resolution * (to - from)), before_(from), after_(to) {
+      : at_(at), would_hold_(would_hold), width_(resolution * (to - from)), before_(from), after_(to), last_guess_(to) {
     add(to, std::move(at_end));
   }
 
@@ -33,7 +33,7 @@ class Search {
         length = after_ - before_;
       }
       const double t = halves ? middle : guess();
-      (halves ? --halvings : ++guesses);
+      halves ? --halvings : ++guesses;
       ConditionState there = at_(t);
       (there.holds ? after_ : before_) = t;
       add(t, std::move(there));
@@ -88,8 +88,7 @@ class Search {
 
   const ConditionAt& at_;
   const WouldHold& would_hold_;
-  double width_, before_, after_;
-  double last_guess_ = 0;
+  double width_, before_, after_, last_guess_;
   std::vector<Known> known_;
 };
 

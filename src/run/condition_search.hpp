@@ -38,7 +38,7 @@ using NearEnd = std::function<StepView()>;
 /// Tells the observers what happens in (from, to], up to the first that stops the run. Collective.
 /// @param from  equal to `to`: what holds at this time
 /// @param near_end  if not empty: what does not hold in this state is not searched for. What holds exactly nevertheless
-/// is found after the next step
+/// is found after a later step
 /// @returns the time of that stop, if there is one
 /// Cost: what the observers' conditions cost near the end, and for each that holds there as first_time()
 std::optional<double> find_conditions(double from, double to, const ViewAt& view_at, const NearEnd& near_end,

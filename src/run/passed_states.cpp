@@ -5,7 +5,7 @@
 
 namespace creepcontact::run {
 namespace {
-constexpr int max_solved = 2000;  // two per breakpoint
+constexpr int max_solved = 2000;  // two per breakpoint, one per step
 }
 
 bool PassedStates::evaluate(StepView& view) {
@@ -20,9 +20,10 @@ bool PassedStates::evaluate(StepView& view) {
   if (n_solved_ >= max_solved) return false;
   if (++n_solved_ == max_solved)
     log::warning(
-        "the loads have more than {} breakpoints between output times: those after t = {:.6g} are not looked at, so "
-        "that the largest values there are those of output times alone. Put output times where the loads are largest",
-        max_solved / 2, view.time());
+        "the loads have more than {} states between output times that count: those after t = {:.6g} are not looked at, "
+        "so that the largest values there are those of output times alone. Put output times where the loads are "
+        "largest",
+        max_solved, view.time());
   try {
     view.evaluation();
     return true;

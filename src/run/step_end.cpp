@@ -30,9 +30,9 @@ StepEnd::Limit StepEnd::next(const ode::Integrator& integrator, const Schedule& 
 }
 
 double StepEnd::longest(double t, std::span<const double> y) const {
-  const bool is_fixed = config_.time.step.mode == settings::StepMode::fixed;
-  if (is_fixed || (!guard_ && !system_.has_yielding())) return std::numeric_limits<double>::infinity();
-  return std::min(t + system_.longest_step(t, y), model_.step_limits.latest_end(t));
+  if (config_.time.step.mode == settings::StepMode::fixed) return std::numeric_limits<double>::infinity();
+  const double of_loads = model_.step_limits.latest_end(t);
+  return guard_ || system_.has_yielding() ? std::min(of_loads, t + system_.longest_step(t, y)) : of_loads;
 }
 
 void StepEnd::save(creep::Memory& memory) const {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
 #include "creepcontact/platform/directory_lock.hpp"
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/platform/replace_file.hpp"
@@ -53,6 +54,17 @@ std::optional<RunOutcome> made_reference(StudyExecution& execution, const config
                                 (directory / log_file).string()));
 }
 
+/// Runs in the files of shards would be made again. @throws ConfigError
+void refuse_shard_files(const config::Study& study, const fs::path& directory) {
+  const std::optional<int> count = shard_count(directory);
+  for (int shard = 1; shard <= count.value_or(0); ++shard)
+    if (path_exists(shard_file(directory, shard)))
+      throw ConfigError(fmt::format(
+          "'{0}' has runs in the files of its {1} shards, which this command would make again; make those that are "
+          "missing by `creepcontact study {2} --shard i/{1}` and the tables by --gather, or give another --output",
+          directory.string(), *count, study.file.string()));
+}
+
 }  // namespace
 
 StudyResult run_study(const config::Study& given, const config::Vocabulary& vocabulary, const StudyOptions& options) {
@@ -67,6 +79,7 @@ StudyResult run_study(const config::Study& given, const config::Vocabulary& voca
   if (failure) throw ConfigError(fmt::format("output directory {}: {}", directory.string(), failure.message()));
   const platform::DirectoryLock lock(directory);
   claim_directory(directory, study);
+  refuse_shard_files(study, directory);
 
   const auto reference = config::reference_run(study);
   {

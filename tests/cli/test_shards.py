@@ -87,6 +87,10 @@ class Shards(StudyTest):
         self.expect_same(self.quantiles(), expected)
         self.assertTrue(all(row["status"] == "completed" and int(row["steps"]) > 0 for row in self.rows()))
 
+        # A study in one go would make them again.
+        done = self.call("study", "study.toml")
+        self.expect_error(done, 2, "files of its 2 shards", "--shard i/2", "--gather", "--output")
+
         # What is there is kept; a lost shard is made again, alone.
         written = {path: path.stat().st_mtime_ns for path in self.output.glob("shards/*/runs.h5")}
         done = self.shard("1/2")

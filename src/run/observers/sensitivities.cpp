@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -15,6 +16,8 @@
 
 namespace creepcontact::run {
 namespace {
+
+constexpr double min_change_of_events = 1e-9;  // of their times, by a typical change of the value: rounding
 
 class Sensitivities final : public EventConditions {
  public:
@@ -100,51 +103,101 @@ class Sensitivities final : public EventConditions {
     return results::probe_values(context_.observed.probes(), snapshot);
   }
 
-  /// How fast the probes change in a state of the run, within a segment of smooth loads; empty: not known.
-  std::vector<double> rates_of_probes(double t, std::span<const double> y) const {
-    constexpr double part = 1e-3;  // of the step
-    creep::CreepSystem& system = of_.base();
-    const double dt = std::min({part * (integrator_.time() - integrator_.begin_of_step()),
-                                (t - system.begin_of_segment()) / 2, (system.end_of_segment() - t) / 2});
-    if (!(dt > 0)) return {};
-    const std::vector<double> rate = system.rate_of(system.evaluate_output(t, y));
-    const auto probes_after = [&](double duration) {
-      std::vector<double> there(y.begin(), y.end());
-      for (std::size_t i = 0; i < there.size(); ++i) there[i] += duration * rate[i];
-      return probes_at(t + duration, there);
-    };
-    std::vector<double> later = probes_after(dt);
-    const std::vector<double> earlier = probes_after(-dt);
-    for (std::size_t p = 0; p < later.size(); ++p) later[p] = (later[p] - earlier[p]) / (2 * dt);
-    return later;
+  /// Probes and their derivatives on one side of a time, where they are smooth: three states, at 1, 2 and 3 distances.
+  struct Side {
+    double distance;  // < 0 before the time
+    std::array<std::vector<double>, 3> probes;
+    std::array<std::vector<Derivatives::OfProbes>, 2> of_values;
+
+    /// The probes so much later than the time, with so much more of value k: quadratic in time, linear in the value.
+    std::vector<double> values(std::size_t k, double later, double change) const {
+      const double x = later / distance - 1;  // from the first state, in distances
+      std::vector<double> result(probes[0].size());
+      for (std::size_t p = 0; p < result.size(); ++p) {
+        const double first = probes[1][p] - probes[0][p], second = probes[2][p] - 2 * probes[1][p] + probes[0][p];
+        const double near = of_values[0][k].derivatives[p], far = of_values[1][k].derivatives[p];
+        result[p] = probes[0][p] + x * first + x * (x - 1) / 2 * second + change * (near + x * (far - near));
+      }
+      return result;
+    }
+  };
+
+  Side side_of(double time, double distance) const {
+    const auto before = [&](double distances) { return integrator_.whole_at(time - distances * std::abs(distance)); };
+    const std::vector<double> here = before(0), near = before(1), far = before(2);
+    Side side{.distance = distance, .probes = {}, .of_values = {}};
+    for (std::size_t i = 0; i < side.probes.size(); ++i) {
+      const auto n = static_cast<double>(i + 1);
+      const double ahead = n * distance;
+      std::vector<double> whole = ahead < 0 ? before(n) : here;
+      if (ahead > 0)  // by a parabola, since the step may end before
+        for (std::size_t j = 0; j < whole.size(); ++j)
+          whole[j] += n * (here[j] - near[j]) + n * (n + 1) / 2 * (here[j] - 2 * near[j] + far[j]);
+      side.probes[i] = probes_at(time + ahead, of_.block(std::span<const double>(whole), 0));
+      if (i < side.of_values.size()) side.of_values[i] = of_.of_probes(time + ahead, whole);
+    }
+    return side;
+  }
+
+  struct ChangesOfEvent {
+    std::vector<double> changes;  // with each value; NaN: not known
+    double largest = 0;           // of them
+    bool differ = false;          // by the probes before and after the event
+  };
+
+  ChangesOfEvent changes_by_sides(std::size_t event, double time, double distance) const {
+    constexpr double same = 1e-3;
+    const double step = integrator_.time() - integrator_.begin_of_step();
+    const Side before = side_of(time, -distance), after = side_of(time, distance);
+    ChangesOfEvent found;
+    for (std::size_t k = 0; k < of_.values().size(); ++k) {
+      const auto change_by = [&](const Side& side) {
+        const auto delay_with = [&](double change) {
+          return delay(step,
+                       [&](double later) { return watch().holds(event, side.values(k, later, change), time + later); });
+        };
+        return central_difference(delay_with(relative_change), delay_with(-relative_change));
+      };
+      const double by_before = change_by(before), by_after = change_by(after);
+      const bool knows_both = !std::isnan(by_before) && !std::isnan(by_after);
+      found.changes.push_back(knows_both ? (by_before + by_after) / 2 : std::isnan(by_before) ? by_after : by_before);
+      const double largest = std::fmax(std::abs(by_before), std::abs(by_after));
+      found.largest = std::fmax(found.largest, largest);
+      found.differ = found.differ || (knows_both && std::abs(by_before - by_after) > same * largest &&
+                                      largest > min_change_of_events * time);
+    }
+    return found;
   }
 
   /// How the time of an event changes with each value; NaN: not known, because it happens at a jump of the loads.
-  /// The probes are taken to be linear in the time and the value near the event: its condition then tells when it holds
-  /// with a little more and a little less of the value. @param time  of the event, within the last step
+  /// The condition tells when it holds with a little more and a little less of the value, by the probes before the
+  /// event, and by those after it: where a node closes or opens at the event, only one of them tells, or both differ.
+  /// @param time  of the event, within the last step
   std::vector<double> changes_of_event(std::size_t event, double time) {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    std::vector<double> changes(of_.values().size(), unknown);
-    if (!(time > integrator_.begin_of_step())) return changes;
-    const std::vector<double> whole = integrator_.whole_at(time);
-    const std::span<const double> y = of_.block(std::span<const double>(whole), 0);
-    const std::vector<double> rates = rates_of_probes(time, y);
-    if (rates.empty()) return changes;
-    const std::vector<double> probes = probes_at(time, y);
-    const std::vector<Derivatives::OfProbes> of_values = of_.of_probes(time, whole);
+    constexpr double smallest_part = 1e-7;  // of the step
     const double step = integrator_.time() - integrator_.begin_of_step();
-    for (std::size_t k = 0; k < changes.size(); ++k) {
-      const auto delay_with = [&](double change) {
-        return delay(step, [&](double later) {
-          std::vector<double> values(probes.size());
-          for (std::size_t p = 0; p < values.size(); ++p)
-            values[p] = probes[p] + later * rates[p] + change * of_values[k].derivatives[p];
-          return watch().holds(event, values, time + later);
-        });
-      };
-      changes[k] = central_difference(delay_with(relative_change), delay_with(-relative_change));
+    const creep::CreepSystem& system = of_.base();
+    const double most = std::min(time - std::max(integrator_.begin_of_step(), system.begin_of_segment()),
+                                 system.end_of_segment() - time) /
+                        4;
+    double distance = std::min(1e-3 * step, most);
+    if (!(distance > 0)) return std::vector<double>(of_.values().size(), std::numeric_limits<double>::quiet_NaN());
+    ChangesOfEvent found = changes_by_sides(event, time, distance);
+    // Nearer states may lie on the same side of a kink; nearer still, rounding counts.
+    while (found.differ && distance > smallest_part * step) found = changes_by_sides(event, time, distance /= 100);
+    // Models with more and less of a value must be on the same side, too.
+    double shift = of_.are_differences() ? relative_change * found.largest : 0;
+    if (shift > distance / 2) {
+      found = changes_by_sides(event, time, distance = std::min(2 * shift, most));
+      shift = relative_change * found.largest;
     }
-    return changes;
+    const bool differ = found.differ || shift > distance;
+    if (differ)
+      log::warning(
+          "sensitivity: at the event '{}', t = {:.6g}, the probes change their course, as where a node closes or opens "
+          "or a point yields: the derivatives of its time are means of those before and after it",
+          context_.config.events[event].name, time);
+    return std::move(found.changes);
   }
 
   /// When a condition begins to hold; NaN: not within `most` before and after. @param holds  at so much later

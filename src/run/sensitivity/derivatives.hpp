@@ -56,6 +56,9 @@ class Derivatives {
   };
   /// One for each value. @throws as CreepSystem::evaluate_output()
   virtual std::vector<OfProbes> of_probes(double t, std::span<const double> whole) = 0;
+  /// True if these are differences of models with a little more and a little less of a value, which are on both sides
+  /// of a kink that is so near; false if they are those of the state's own side.
+  virtual bool are_differences() const = 0;
 
   /// What the checkpoint has beyond `whole`; resume() then takes up the state.
   virtual void save(creep::Memory& memory) const = 0;

@@ -30,6 +30,7 @@ class LinearDerivatives final : public Derivatives {
   void pass_breakpoint(double t, std::span<const double> whole) override;
   void follow_loads(double /*t*/) override {}
   std::vector<OfProbes> of_probes(double t, std::span<const double> whole) override;
+  bool are_differences() const override { return false; }
   void save(creep::Memory& memory) const override;
   void restore(const creep::Memory& memory) override;
   void resume(double /*t*/, std::span<const double> /*whole*/) override {}

@@ -142,6 +142,14 @@ TEST(RandomMistakes, AtTheirPlaces) {
                         {"s/study.toml:5:7: random.keys[0].key: ", "'mesh.size'", "mesh of its own", "[[axes]]"});
   expect_random_mistake(random_head() + uniform_key("a[0].b") + uniform_key("a.0.b"),
                         {"s/study.toml:10:7: random.keys[1].key: ", "'a.0.b'", "line 5"});
+  // However it is spelt, and where one lies in the other.
+  for (const char* other : {"a[00].b", "a . 0.b", "\\\"a\\\"[0].b", "a", "a[0]", "a[0].b.c"})
+    expect_random_mistake(random_head() + uniform_key("a[0].b") + uniform_key(other),
+                          {"s/study.toml:10:7: random.keys[1].key: ", "already distributed", "line 5"});
+  expect_random_mistake(random_head() + uniform_key("a[0].b") + "[[axes]]\nkey = \"a\"\nvalues = [1]\n",
+                        {"s/study.toml:5:7: random.keys[0].key: ", "'a[0].b'", "axis", "line 10"});
+  expect_random_mistake("base = \"base.toml\"\n[random]\nsamples = 8\nseed = 9223372036854775807\n" + uniform_key("a"),
+                        {"s/study.toml:4:8: random.seed: ", "at most 2147483647"});
   expect_random_mistake(random_head() + uniform_key("a") + "[[axes]]\nkey = \"a\"\nvalues = [1]\n",
                         {"s/study.toml:5:7: random.keys[0].key: ", "'a'", "axis", "line 10"});
   expect_random_mistake(random_head() + uniform_key("a") + "[[runs]]\nset = { a = 1 }\n",
@@ -192,6 +200,13 @@ TEST_F(RandomRuns, WhatDistributionsReachIsChecked) {
   expect_only(
       mistakes_of(random_key("materials.steel.poisson_ratio", "distribution = \"uniform\"\nmin = 0.2\nmax = 0.6")),
       {"study.toml:5:7: random.keys[0].key: ", "poisson_ratio", "0.6", "uniform, 0.2 to 0.6"});
+}
+
+TEST_F(RandomRuns, AMisspeltKeyGetsNoAdviceOnTheDistribution) {
+  const RandomLines lines =
+      mistakes_of(uniform_key("materials.stell.young_modulus") + uniform_key("materials.steel.poisson_ratio"));
+  ASSERT_FALSE(lines.empty());
+  for (const std::string& line : lines) EXPECT_FALSE(creepcontact::test::says(line, {"reaches"})) << line;
 }
 
 TEST_F(RandomRuns, OnlyNumbersAreDistributed) {

@@ -2,6 +2,7 @@
 /// blocks relax by sigma^-3 = 1 + 0.36 t (relaxed_pressure()).
 
 #include <cmath>
+#include <map>
 
 #include "creepcontact/base/error.hpp"
 #include "support/run/running.hpp"
@@ -123,6 +124,87 @@ TEST(EventsOfRuns, OfLinearLoadsWithoutCreep) {
   EXPECT_NEAR(summary.number("events/tight"), 3, 1e-8);
   EXPECT_NEAR(summary.number("events/stop"), 3.5, 1e-8);
   EXPECT_EQ(Table(blocks / "out" / "history.csv").rows(), 4u);
+}
+
+/// The blocks are lifted off each other: pressure 40 (0.03 - t / 1000) at first, then the gap t / 1000 - 0.03.
+const std::string lifted_events = pressure_probe + R"(
+[[probes]]
+name = "opening"
+quantity = "gap"
+on = "upper_bottom"
+[[events]]
+name = "open"
+when = "opening > 0"
+[[events]]
+name = "lifted"
+when = "opening > 1e-9"
+[[events]]
+name = "high"
+when = "opening > 2e-3"
+[[events]]
+name = "loose"
+when = "pressure <= 0"
+[[events]]
+name = "almost loose"
+when = "pressure < 1e-9"
+[[events]]
+name = "light"
+when = "pressure < 0.1"
+)";
+const std::vector<std::string> lift{"supports.3.displacement.z='-0.025 + 1e-3*t'", "contacts.0.gap=-0.005",
+                                    "time.end=40", "sensitivity.keys=['contacts[0].gap']", "output.fields=false"};
+
+TEST(EventsOfRuns, OfAnOpeningContactAndTheirDerivatives) {
+  const Case blocks;
+  const Summary summary = run(blocks.config(lifted_events, elastic(lift)), {});
+  ASSERT_EQ(summary.exit_status, 0) << summary.message;
+  const std::map<std::string, double> times{{"open", 30},  {"lifted", 30 + 1e-6},         {"high", 32},
+                                            {"loose", 30}, {"almost loose", 30 - 2.5e-8}, {"light", 27.5}};
+  for (const auto& [name, time] : times) {
+    EXPECT_NEAR(summary.results.events.at(name).value(), time, 1e-7) << name;
+    EXPECT_NEAR(summary.results.sensitivities.at(0).events.at(name), -1000, 1e-2) << name;
+  }
+}
+
+/// Later creep moves no event any more: all are moved by as much as the opening, which central differences give.
+TEST(EventsOfRuns, DerivativesOfAnOpeningCreepingContact) {
+  const Case blocks;
+  const auto with = [&](const std::string& setting) {
+    std::vector<std::string> settings = lift;
+    settings.insert(settings.end(), {"time.tolerance=1e-7", setting});
+    Summary summary = run(blocks.config(lifted_events, settings), {});
+    EXPECT_EQ(summary.exit_status, 0) << summary.message;
+    return summary.results;
+  };
+  const auto more = with("contacts.0.gap=-0.004995"), less = with("contacts.0.gap=-0.005005");
+  const auto here = with("contacts.0.gap=-0.005");
+  for (const char* name : {"open", "lifted", "high", "loose", "almost loose"}) {
+    const double difference = (more.events.at(name).value() - less.events.at(name).value()) / 1e-5;
+    EXPECT_NEAR(here.sensitivities.at(0).events.at(name) / difference, 1, 2e-4) << name;
+    EXPECT_NEAR(here.sensitivities.at(0).events.at(name) / here.sensitivities.at(0).events.at("high"), 1, 1e-5) << name;
+  }
+}
+
+/// A vibration of the loads is followed without creep, too, whatever the output times.
+TEST(EventsOfRuns, OfFastLoadsWithoutCreep) {
+  const Case blocks;
+  const std::string event = pressure_probe + R"([[events]]
+name = "high"
+when = "pressure > 1.3"
+[[events]]
+name = "late"
+when = "pressure > 1.3 && t > 500"
+)";
+  for (const char* output : {"time.output=[1000]", "time.output={count=7}"}) {
+    const Summary summary =
+        run(blocks.config(event, elastic({"supports.3.displacement.z='-0.025*(1 + 0.6*sin(2*pi*t/10))'",
+                                          "time.end=1000", output, "output.fields=false"})),
+            {});
+    ASSERT_EQ(summary.exit_status, 0) << summary.message;
+    EXPECT_NEAR(summary.results.events.at("high").value(), 10.0 / 12, 1e-6) << output;
+    EXPECT_NEAR(summary.results.events.at("late").value(), 500 + 10.0 / 12, 1e-6) << output;
+    EXPECT_NEAR(summary.results.probes.at("pressure").course.value().max, 1.6, 1e-3) << output;
+  }
 }
 
 TEST(EventsOfRuns, OfJumpsHaveTheTimeOfTheJump) {
