@@ -113,6 +113,11 @@ class Sensitivity(ProcessTest):
         self.run_cube("--resume", "--set", "time.output=[0.1]", "--set", "time.integrator=cvode_bdf")
         self.expect_closed_form(self.rows()[-1], VALUES, 1e-4)
 
+    def test_a_start_that_is_singular_on_one_side_alone_is_refused(self):
+        self.write("cube.toml", (BASE + MORE).replace('law = "norton"', 'law = "time_hardening", m = 1'))
+        done = self.call("run", "cube.toml", "--set", 'sensitivity.keys=["materials.steel.creep[0].m"]')
+        self.expect_error(done, 2, "sensitivity.keys", "materials.steel.creep[0].m", "infinite rate", "another value")
+
     def test_elastic_models_and_values_of_zero(self):
         self.run_cube("--set", "materials.steel.creep=[]", "--set", f'sensitivity.keys=["{E}", "supports[0].displacement.x"]',
                       "--set", "sensitivity.changes=[1e4, 0.01]", "--set", "events=[]")

@@ -43,12 +43,24 @@ void require_nearby(const ChangedValue& value, const model::Model& changed, cons
 
 }  // namespace
 
+void require_same_start(const ChangedValue& value, bool of_model, bool of_run) {
+  if (of_model == of_run) return;
+  throw ConfigError(
+      fmt::format("sensitivity.keys: creep begins with an infinite rate on one side of '{}' = {:.6g}, and not on the "
+                  "other one: there is no derivative; leave the key out, or give it another value",
+                  value.key, value.value));
+}
+
 std::unique_ptr<Derivatives> make_derivatives(const std::vector<ChangedValue>& values, const model::Model& model,
                                               creep::CreepSystem& system, creep::EquilibriumSolver& solver, Kept& kept,
                                               linalg::GatheredPasses& passes, Stopwatch& watch) {
   if (!LinearDerivatives::suit(solver)) {
     auto variants = std::make_unique<Variants>(values, system, kept, passes);
-    for (const auto& variant : variants->all()) require_nearby(values[variant->value()], variant->model(), model);
+    for (const auto& variant : variants->all()) {
+      require_nearby(values[variant->value()], variant->model(), model);
+      require_same_start(values[variant->value()], variant->system().singular_rate() != nullptr,
+                         system.singular_rate() != nullptr);
+    }
     return std::make_unique<DifferenceDerivatives>(values, std::move(variants));
   }
   // What these models have to say the run has said already.

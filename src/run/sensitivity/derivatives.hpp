@@ -70,6 +70,9 @@ class Derivatives {
   creep::CreepSystem& base_;
 };
 
+/// @param of_model, of_run  whether creep begins with an infinite rate @throws ConfigError if one of them does
+void require_same_start(const ChangedValue& value, bool of_model, bool of_run);
+
 /// The derivative with respect to value/change, from results with more and less of a value.
 inline double central_difference(double more, double less) {
   return (more - less) / (2 * relative_change);

@@ -219,8 +219,12 @@ bool LinearDerivatives::opens_or_closes(const creep::Equilibrium& at, const cree
 
 std::vector<Derivatives::OfProbes> LinearDerivatives::of_probes(double t, std::span<const double> whole) {
   // The results of the start come before the integration begins.
-  if (preloaded_until_ < 0) pass_breakpoint(t, whole);
+  const bool is_start = preloaded_until_ < 0;
+  if (is_start) pass_breakpoint(t, whole);
   const creep::Evaluation& at = base().evaluate_output(t, block(whole, 0));
+  for (std::size_t k = 0; k < values().size() && is_start; ++k)
+    for (NearbyModel* const model : {&more(k), &less(k)})
+      require_same_start(values()[k], model->starts_singular(at), base().singular_rate() != nullptr);
   const std::vector<creep::EquilibriumChange> changes = respond(at, whole);
   std::vector<OfProbes> result(values().size());
   for (std::size_t k = 0; k < values().size(); ++k) {

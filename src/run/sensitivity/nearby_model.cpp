@@ -85,6 +85,18 @@ void NearbyModel::rate(std::size_t body, const creep::Evaluation& at, std::span<
                             rate, {});
 }
 
+bool NearbyModel::starts_singular(const creep::Evaluation& at) {
+  bool is_singular = false;
+  laws_.for_each_creeping([&](std::size_t b, const creep::MaterialPoints& points) {
+    const creep::PointsState state{law_parameters(b, at),
+                                   {},
+                                   at.equilibrium.bodies[b].stress,
+                                   laws_.layout().part(b, std::span<const double>(at.y))};
+    is_singular = is_singular || points.start_exponent(at.time, state) < 1;
+  });
+  return is_singular;
+}
+
 void NearbyModel::place(const creep::Evaluation& at, const creep::EquilibriumChange& change,
                         std::span<const double> state_change) {
   add(at.y, change_, state_change, at_.y);

@@ -39,6 +39,9 @@ class NearbyModel {
   /// The rate of the laws of a body in a state of the run, n_points x stride.
   void rate(std::size_t body, const creep::Evaluation& at, std::span<double> rate);
 
+  /// Whether some rate is infinite at first, at the stress of the run.
+  bool starts_singular(const creep::Evaluation& at);
+
   /// Takes up the time, state and stress of the run, with their changes.
   void place(const creep::Evaluation& at, const creep::EquilibriumChange& change, std::span<const double> state_change);
   /// What the laws of a body see there.
