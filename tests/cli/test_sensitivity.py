@@ -116,7 +116,9 @@ class Sensitivity(ProcessTest):
     def test_a_start_that_is_singular_on_one_side_alone_is_refused(self):
         self.write("cube.toml", (BASE + MORE).replace('law = "norton"', 'law = "time_hardening", m = 1'))
         done = self.call("run", "cube.toml", "--set", 'sensitivity.keys=["materials.steel.creep[0].m"]')
-        self.expect_error(done, 2, "sensitivity.keys", "materials.steel.creep[0].m", "infinite rate", "another value")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        for fact in ("sensitivity.keys", "materials.steel.creep[0].m", "infinite rate", "another value"):
+            self.assertIn(fact, done.stderr)
 
     def test_elastic_models_and_values_of_zero(self):
         self.run_cube("--set", "materials.steel.creep=[]", "--set", f'sensitivity.keys=["{E}", "supports[0].displacement.x"]',
