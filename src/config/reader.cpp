@@ -113,6 +113,7 @@ std::vector<KeyContent> contents_of(const std::filesystem::path& file, const Voc
   const toml::table document = document_of(read_text(file), file, vocabulary, overrides, context);
   context.errors.throw_if_any();
   std::vector<KeyContent> contents;
+  contents.reserve(keys.size());
   for (const std::string& key : keys) contents.push_back(content_at(document, key));
   return contents;
 }

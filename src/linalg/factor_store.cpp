@@ -178,7 +178,7 @@ class FactorStore::Lent final : public StiffnessSolver {
       : content_(std::move(content)),
         gathering_(gathering),
         analysed_(analysed),
-        origin_(std::move(origin)),
+        origin_(origin),
         solver_(std::move(solver)) {}
   ~Lent() override {
     solver_.reset();

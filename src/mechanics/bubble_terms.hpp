@@ -119,13 +119,13 @@ class BubbleTerms {
     return result;
   }
 
-  const ElementView& element_;
-  bool is_uniform_;
-  double twice_mu_ = 0, bulk_ = 0;  // uniform ones
-  std::array<std::array<double, ElementView::max_points>, 3> gradients_;
   std::array<LaneSum, 3> deviatoric_, bulk_moments_;
   Squares squares_, linear_squares_;
+  std::array<std::array<double, ElementView::max_points>, 3> gradients_;
   std::array<double, 3> a_{}, slopes_{};
+  double twice_mu_ = 0, bulk_ = 0;  // uniform ones
+  const ElementView& element_;
+  bool is_uniform_;
 };
 
 /// P B_b at a point.

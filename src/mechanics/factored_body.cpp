@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -37,7 +38,7 @@ FactoredBody::FactoredBody(const Body& body, const BodyConditions& at, const std
                            const linalg::StiffnessSolverFactory& make_solver)
     : body_(&body), time_(at.time) {
   const auto assembled = [&]() -> const linalg::SparseMatrix& {
-    if (!analyzed_) analyzed_ = stiffness(at);
+    if (!analyzed_) analyzed_ = std::make_unique<linalg::SparseMatrix>(stiffness(at));
     return *analyzed_;
   };
   solver_ = make_solver({linalg::MatrixOnDemand(assembled, body.stiffness_inputs(at)),
@@ -49,11 +50,15 @@ FactoredBody::FactoredBody(const Body& body, const BodyConditions& at, const std
 }
 
 void FactoredBody::factorize(const BodyConditions& at) {
-  const std::optional<linalg::SparseMatrix> analyzed = std::exchange(analyzed_, std::nullopt);
+  const std::unique_ptr<const linalg::SparseMatrix> analyzed = std::move(analyzed_);
   const bool is_analyzed = !factored_ && time_ == at.time;
   try {
-    if (!is_analyzed || !solver_->take_factor())
-      solver_->factorize(is_analyzed && analyzed ? *analyzed : stiffness(at));
+    if (!is_analyzed || !solver_->take_factor()) {
+      if (is_analyzed && analyzed != nullptr)
+        solver_->factorize(*analyzed);
+      else
+        solver_->factorize(stiffness(at));
+    }
   } catch (const linalg::SingularMatrix& error) {
     if (factored_ || !type_with_hourglass_modes(body_->mesh())) report_singular(error);
     stabilize(at);

@@ -74,8 +74,8 @@ class Search {
   /// Within the bracket, and to that side of the instant by polynomials where the bracket is longer.
   double guess() {
     double before = before_, after = after_;
-    for (double middle = before; after - before > width_ / 8;) {
-      middle = before + (after - before) / 2;
+    while (after - before > width_ / 8) {
+      const double middle = before + (after - before) / 2;
       if (middle <= before || middle >= after) break;
       (would_hold_(middle, values_at(middle)) ? after : before) = middle;
     }
@@ -125,6 +125,7 @@ std::optional<double> find_conditions(double from, double to, const ViewAt& view
       return {holds, std::move(values)};
     };
     std::vector<ConditionState> states;
+    states.reserve(numbers.size());
     for (const std::size_t number : numbers) states.push_back(state_in(number, *at_end));
     at_end.reset();
     double stop = to;

@@ -128,13 +128,14 @@ struct MatrixInputs {
 class MatrixOnDemand {
  public:
   /// @param matrix  must outlive the object
+  // NOLINTNEXTLINE(google-explicit-constructor): any matrix is one that exists
   MatrixOnDemand(const SparseMatrix& matrix) : make_([&matrix]() -> const SparseMatrix& { return matrix; }) {}
   /// @param make  may be called several times
   explicit MatrixOnDemand(std::function<const SparseMatrix&()> make, MatrixInputs inputs)
       : make_(std::move(make)), inputs_(inputs) {}
 
   const SparseMatrix& matrix() const { return make_(); }
-  operator const SparseMatrix&() const { return make_(); }
+  operator const SparseMatrix&() const { return make_(); }  // NOLINT(google-explicit-constructor): the reverse
   /// nullopt: not known.
   const std::optional<MatrixInputs>& inputs() const { return inputs_; }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The factored stiffness of one body at one time.
 
-#include <optional>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -51,7 +51,7 @@ class FactoredBody {
 
   const Body* body_;
   std::unique_ptr<linalg::StiffnessSolver> solver_;
-  std::optional<linalg::SparseMatrix> analyzed_;  // the stiffness until factorize(), if somebody needed it
+  std::unique_ptr<linalg::SparseMatrix> analyzed_;  // the stiffness until factorize(), if somebody needed it
   std::vector<Moduli> moduli_;
   std::vector<Matrix6> matrices_;
   double time_ = 0;
