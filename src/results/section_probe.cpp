@@ -69,6 +69,7 @@ std::map<std::int64_t, Matrix3> reactions_beyond(const mechanics::Cut& cut, cons
     const std::map<std::int64_t, FaceArea> areas = areas_beyond(cut, support.on);
     for (std::size_t i = 0; i < support.nodes.size(); ++i) {
       const std::int64_t node = support.nodes[i];
+      if (node == cut.mesh().axial_node) continue;  // it is at no place
       const Vector3& along = support.directions[support.directions.size() == 1 ? 0 : i];
       const auto spread = areas.find(node);
       add(node, spread != areas.end() ? spread->second : FaceArea{cut.node_share(node), 1}, along * along.transpose());

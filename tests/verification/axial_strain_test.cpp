@@ -65,6 +65,20 @@ TEST(AxialStrainPerBody, TogetherTheyPullEachOtherAndTheRunSaysSo) {
   EXPECT_TRUE(has_remark(outcome));
 }
 
+/// What keeps up a given axial strain acts along z on the whole section, at no place of the plane.
+TEST(AxialStrain, NoPartOfItsForceActsBeyondACut) {
+  const auto cut = [](const char* name, const char* quantity, const char* normal) {
+    return test::probe(name, quantity,
+                       fmt::format("body = \"upper\"\nsection = {{ origin = [1, 0, 0], normal = {} }}", normal));
+  };
+  const Outcome outcome =
+      run_plates("[generalized_plane_strain]\nstrain = 1e-3\n[time]\nend = 1\n" +
+                 cut("right", "section_force_z", "[1, 0, 0]") + cut("left", "section_force_z", "[-1, 0, 0]"));
+  EXPECT_GT(std::abs(outcome.history.at("zz", 0)), 10);
+  EXPECT_NEAR(outcome.history.at("right", 0), 0, 1e-9);
+  EXPECT_NEAR(outcome.history.at("left", 0), 0, 1e-9);
+}
+
 TEST(AxialStrainPerBody, TiedBodiesHaveOneStrainWithoutARemark) {
   EXPECT_FALSE(has_remark(run_plates("[time]\nend = 1\n", "", {"contacts.0.type=tied"})));
 }
