@@ -59,7 +59,7 @@ std::string advice_for(const RandomKey& key, int side, double end) {
 
 /// Adds the lines of a message about one of these random keys, each at its key; the others at the first key.
 /// @param settings  of the keys @param advice  to add
-void add_lines(const std::string& message, const std::vector<RandomKey>& keys, std::span<const Setting> settings,
+void add_lines(const std::string& message, std::span<const RandomKey> keys, std::span<const Setting> settings,
                const std::string& advice, Diagnostics& errors) {
   std::istringstream all(message);
   for (std::string line; std::getline(all, line);) {
@@ -125,8 +125,8 @@ void check_random_keys(const Study& study, const std::vector<Setting>& settings,
       own[k] = sampled_setting(key, end);
       const std::string message = complaint(own);
       if (message.empty()) continue;
-      const std::vector<RandomKey> only{key};
-      add_lines(message, only, std::span(own).subspan(k, 1), ". " + advice_for(key, side, end), errors);
+      add_lines(message, std::span(random.keys).subspan(k, 1), std::span(own).subspan(k, 1),
+                ". " + advice_for(key, side, end), errors);
       break;  // one side is enough to act on
     }
 }

@@ -90,11 +90,7 @@ class FactorStore::Content {
   std::unique_ptr<StiffnessSolver> take(const Key& key) {
     const std::scoped_lock lock(mutex_);
     const auto found = find(key);
-    if (found == entries_.end() || !found->solver) return nullptr;
-    ++found->users;
-    count_use();
-    ++n_found;
-    return found->solver->same_pattern();
+    return found != entries_.end() && found->solver ? lend(*found) : nullptr;
   }
 
   /// A solver with this factor, found or computed by one of the threads that need it. @param own  a solver of the
@@ -113,11 +109,8 @@ class FactorStore::Content {
         computed_.wait(lock);
         continue;
       }
-      ++found->users;
+      own = lend(*found);
       before = key;
-      own = found->solver->same_pattern();
-      count_use();
-      ++n_found;
       return true;
     }
     entries_.push_back({.key = key, .users = 1});
@@ -158,6 +151,14 @@ class FactorStore::Content {
 
  private:
   std::list<Entry>::iterator find(const Key& key) { return std::ranges::find(entries_, key, &Entry::key); }
+  /// A solver with the factor of an entry that has one.
+  std::unique_ptr<StiffnessSolver> lend(Entry& entry) {
+    std::unique_ptr<StiffnessSolver> solver = entry.solver->same_pattern();
+    ++entry.users;
+    count_use();
+    ++n_found;
+    return solver;
+  }
   void count_use() {
     const auto in_use = std::ranges::count_if(entries_, [](const Entry& entry) { return entry.users > 0; });
     most_in_use_ = std::max(most_in_use_, static_cast<std::size_t>(in_use));

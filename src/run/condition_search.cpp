@@ -18,25 +18,14 @@ class Search {
   }
 
   double run() {
-    int guesses = 0, halvings = 1, next_halvings = 1;
-    double length = after_ - before_;  // before the guesses
-    while (after_ - before_ > width_) {
-      const double middle = before_ + (after_ - before_) / 2;
-      if (middle <= before_ || middle >= after_) break;
-      if (halvings == 0 && guesses == max_guesses && after_ - before_ > length / 4) {
-        halvings = next_halvings;  // the values are not smooth here
-        next_halvings *= 2;
-      }
-      const bool halves = halvings > 0 || known_.empty();
-      if (halves || guesses == max_guesses) {
-        guesses = 0;
-        length = after_ - before_;
-      }
-      const double t = halves ? middle : guess();
-      halves ? --halvings : ++guesses;
-      ConditionState there = at_(t);
-      (there.holds ? after_ : before_) = t;
-      add(t, std::move(there));
+    for (int halvings = 1, next_halvings = 1; is_long();) {
+      for (int i = 0; i < halvings && is_long(); ++i) look_at(middle());
+      const double length = after_ - before_;
+      for (int i = 0; i < max_guesses && is_long() && !known_.empty(); ++i) look_at(guess());
+      halvings = 0;
+      if (after_ - before_ <= length / 4) continue;
+      halvings = next_halvings;  // the values are not smooth here
+      next_halvings *= 2;
     }
     return after_;
   }
@@ -49,6 +38,15 @@ class Search {
     double time;
     std::vector<double> values;
   };
+
+  double middle() const { return before_ + (after_ - before_) / 2; }
+  /// False where there are no numbers between its ends, too.
+  bool is_long() const { return after_ - before_ > width_ && middle() > before_ && middle() < after_; }
+  void look_at(double t) {
+    ConditionState there = at_(t);
+    (there.holds ? after_ : before_) = t;
+    add(t, std::move(there));
+  }
 
   /// The values nearest to the instant are kept.
   void add(double t, ConditionState state) {

@@ -15,7 +15,7 @@ struct ConditionState {
   bool holds = false;
   std::vector<double> values;  ///< Observer::values()
 };
-/// At a time of the interval.
+/// Gives that state at a time of the interval.
 using ConditionAt = std::function<ConditionState(double)>;
 /// Observer::would_hold()
 using WouldHold = std::function<bool(double time, std::span<const double> values)>;
