@@ -2,6 +2,9 @@
 
 #include <vector>
 
+#include "creepcontact/linalg/dense.hpp"
+#include "creepcontact/linalg/dense_products.hpp"
+
 namespace creepcontact::contact {
 
 CondensedRows::CondensedRows(const RowMatrix& rows, std::span<const std::int64_t> trailing,
@@ -18,9 +21,9 @@ CondensedRows::CondensedRows(const RowMatrix& rows, std::span<const std::int64_t
       }
   if (traces_.size() > 0) {
     factor_ = factor.trailing_factor();
-    factor_.triangularView<Eigen::Lower>().solveInPlace(traces_);
+    linalg::substitute_forward_in_all(factor_, traces_);
   }
-  flexibility_ = traces_.transpose() * traces_;
+  flexibility_ = linalg::products_of_columns(traces_);
   if (by_factor && !trailing.empty()) {
     rows_.resize(traces_.rows(), traces_.cols());
     rows_.setFromTriplets(entries.begin(), entries.end());
@@ -32,20 +35,20 @@ CondensedRows::CondensedRows(const RowMatrix& rows, std::span<const std::int64_t
 
 Eigen::VectorXd CondensedRows::gaps(std::span<const double> y) const {
   const Eigen::Map<const Eigen::VectorXd> all(y.data(), y.size());
-  if (factor_.size() == 0) return traces_.transpose() * all.tail(traces_.rows());
+  if (factor_.size() == 0) return linalg::transposed_product(traces_, all.tail(traces_.rows()));
   Eigen::VectorXd displacement = all.tail(factor_.rows());
-  factor_.triangularView<Eigen::Lower>().transpose().solveInPlace(displacement);
+  linalg::substitute_backward(factor_, displacement);
   return rows_.transpose() * displacement;
 }
 
 void CondensedRows::add_forces(const Eigen::VectorXd& multiplier, std::span<double> y) const {
   Eigen::Map<Eigen::VectorXd> all(y.data(), y.size());
   if (factor_.size() == 0) {
-    all.tail(traces_.rows()).noalias() += traces_ * multiplier;
+    linalg::add_product(traces_, multiplier, all.tail(traces_.rows()));
     return;
   }
   Eigen::VectorXd forces = rows_ * multiplier;
-  factor_.triangularView<Eigen::Lower>().solveInPlace(forces);
+  linalg::substitute_forward(factor_, forces);
   all.tail(factor_.rows()) += forces;
 }
 

@@ -110,7 +110,8 @@ bool EquilibriumSolver::is_piecewise_linear() const {
   return !iterates() && !yields && !interface_.problem().has_friction() && !interface_.problem().has_gaskets();
 }
 
-std::vector<EquilibriumChange> EquilibriumSolver::changes(const Equilibrium& at, std::vector<EquationChange> of) {
+void EquilibriumSolver::changes(const Equilibrium& at, std::vector<EquationChange>& of,
+                                std::vector<EquilibriumChange>& into) {
   std::vector<linalg::SeveralSubstitutions> passes;
   for (std::size_t b = 0; b < work_.size(); ++b) {
     passes.push_back({&interface_.factored(b).solver(), {}});
@@ -123,7 +124,7 @@ std::vector<EquilibriumChange> EquilibriumSolver::changes(const Equilibrium& at,
     const auto lap = watch_.lap(Part::solve);
     linalg::pass_several(linalg::PassDirection::forward, passes);
   }
-  std::vector<EquilibriumChange> result(of.size());
+  into.resize(of.size());
   {
     const auto lap = watch_.lap(Part::contact);
     for (std::size_t k = 0; k < of.size(); ++k) {
@@ -133,8 +134,8 @@ std::vector<EquilibriumChange> EquilibriumSolver::changes(const Equilibrium& at,
       if (interface_.n_rows() > 0) change = active_set_.solve(at.contact.active, load).state;
       for (std::size_t b = 0; b < work_.size(); ++b)
         interface_.flexibility().add_multipliers(b, change.multiplier, of[k].forces[b]);
-      result[k].multiplier = std::move(change.multiplier);
-      result[k].rigid = std::move(change.rigid);
+      into[k].multiplier = std::move(change.multiplier);
+      into[k].rigid = std::move(change.rigid);
     }
   }
   {
@@ -143,7 +144,7 @@ std::vector<EquilibriumChange> EquilibriumSolver::changes(const Equilibrium& at,
   }
   const auto lap = watch_.lap(Part::material);
   for (std::size_t k = 0; k < of.size(); ++k) {
-    EquilibriumChange& change = result[k];
+    EquilibriumChange& change = into[k];
     change.displacement.resize(work_.size());
     change.stress.resize(work_.size());
     change.gap = of[k].gap;
@@ -161,7 +162,6 @@ std::vector<EquilibriumChange> EquilibriumSolver::changes(const Equilibrium& at,
     }
   }
   counters_.elastic_solves += std::ssize(of);
-  return result;
 }
 
 }  // namespace creepcontact::creep

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "creepcontact/base/error.hpp"
@@ -186,6 +187,23 @@ void MaterialPoints::derivative(const PointsState& given, const PointsChange& gi
   numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
     derivative_at(p, at, {.stress = {change.stress.data() + 6 * p, 6}, .state = of_point(p, change.state)},
                   of_point(p, rate_change));
+  });
+}
+
+void MaterialPoints::derivative_by_tangents(const PointsState& at, std::span<const material::StressTangent> tangents,
+                                            std::span<const double> stress_change,
+                                            std::span<double> rate_change) const {
+  const LawStress stress(*this, at.stress), change(*this, stress_change);
+  const std::span<const double> stresses = stress, changes = change;
+  numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
+    const material::StressTangent& tangent = tangents[p];
+    const Tensor6 own = tensor::deviator(tensor::view(stresses, p));
+    const tensor::ConstMap of = tensor::view(changes, p);
+    const double square = own.squaredNorm(), mean = tensor::trace(of) / 3;
+    tensor::Map result = tensor::writable(rate_change, p);
+    result = tangent.deviatoric * of;
+    if (square > std::numeric_limits<double>::min()) result += tangent.radial * own.dot(of) / square * own;
+    result.head<3>().array() += (tangent.volumetric - tangent.deviatoric) * mean;
   });
 }
 

@@ -1,13 +1,16 @@
 #include "creepcontact/creep/point_preconditioner.hpp"
 
+#include <limits>
+
 #include "creepcontact/numerics/parallel.hpp"
 
 namespace creepcontact::creep {
 
 inline PointPreconditioner::Local::Local(const PointsState& at, const material::StressTangent& tangent, std::size_t p) {
-  tensor::Map unit = tensor::writable(direction, 0);
-  unit = tensor::deviator(tensor::view(at.stress, p));
-  if (const double length = unit.norm(); length > 0) unit /= length;
+  tensor::Map own = tensor::writable(deviator, 0);
+  own = tensor::deviator(tensor::view(at.stress, p));
+  const double square = own.squaredNorm();
+  inverse_square = square > std::numeric_limits<double>::min() ? 1 / square : 0;
   const material::Moduli& moduli = at.elastic.at(p);
   deviatoric = 2 * moduli.mu * tangent.deviatoric;
   radial = 2 * moduli.mu * tangent.radial;
@@ -15,15 +18,15 @@ inline PointPreconditioner::Local::Local(const PointsState& at, const material::
 }
 
 inline void PointPreconditioner::Local::apply(double gamma, const double* r, double* z) const {
-  const double a = gamma * deviatoric, b = gamma * radial;
-  const tensor::ConstMap unit = tensor::view(direction, 0);
+  const double a = 1 + gamma * deviatoric, b = gamma * radial, share = 1 / a;
+  const tensor::ConstMap own = tensor::view(deviator, 0);
   const tensor::ConstMap right(r);
   tensor::Map result(z);
   const double mean = tensor::trace(right) / 3;
-  Tensor6 deviator = right;
-  deviator.head<3>().array() -= mean;
-  result = (deviator - (b / (1 + a + b)) * unit.dot(deviator) * unit) / (1 + a);
-  result.head<3>().array() += mean / (1 + gamma * volumetric);
+  const double along = b / (a + b) * inverse_square * own.dot(right);  // the deviator has no mean part
+  result = share * (right - along * own);
+  const double own_mean = volumetric == 0 ? mean : mean / (1 + gamma * volumetric);
+  result.head<3>().array() += own_mean - share * mean;
 }
 
 void PointPreconditioner::linearize(const PointsState& at, std::span<const material::StressTangent> tangents) {

@@ -196,6 +196,24 @@ Tensor6 solve_positive(const Matrix6& matrix, const Tensor6& right) {
   return solved(matrix, right, true);
 }
 
+void substitute_forward_in_all(const Eigen::MatrixXd& factor, Eigen::MatrixXd& columns) {
+  expect_room_for_buffer();
+  const int n = size(columns.rows()), n_columns = size(columns.cols()), step = stride(n);
+  const double one = 1;
+  if (columns.size() > 0)
+    dtrsm_("L", "L", "N", "N", &n, &n_columns, &one, factor.data(), &step, columns.data(), &step, 1, 1, 1, 1);
+}
+
+Eigen::MatrixXd products_of_columns(const Eigen::MatrixXd& columns) {
+  expect_room_for_buffer();
+  const int n = size(columns.cols()), k = size(columns.rows()), step = stride(k), step_of_product = stride(n);
+  const double one = 1, zero = 0;
+  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(n, n);
+  if (columns.size() > 0)
+    dsyrk_("L", "T", &n, &k, &one, columns.data(), &step, &zero, products.data(), &step_of_product, 1, 1);
+  return products.selfadjointView<Eigen::Lower>();
+}
+
 Eigen::MatrixXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right, double threshold) {
   const int m = size(matrix.rows()), n = size(matrix.cols()), n_right = size(right.cols());
   // Round-off in a factor of a singular matrix is some units of the last place times the number of entries summed.

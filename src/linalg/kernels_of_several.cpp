@@ -8,10 +8,9 @@ namespace creepcontact::linalg {
 
 namespace {
 
-/// Part of a row: up to sixteen of its vectors.
-template <std::size_t pieces>
+/// Part of a row: `pieces` times `width` of its vectors.
+template <std::size_t pieces, std::size_t width>
 struct Part {
-  static constexpr std::size_t width = 8;
   Vector<width> piece[pieces];
 
   CREEPCONTACT_INLINE void load(const double* row) {
@@ -44,8 +43,12 @@ struct Part {
 template <typename Operation>
 CREEPCONTACT_INLINE void for_each_part(std::size_t vectors, const Operation& operation) {
   std::size_t v = 0;
-  for (; v + 16 <= vectors; v += 16) operation.template operator()<Part<2>>(v);
-  if (v < vectors) operation.template operator()<Part<1>>(v);
+  for (; v + 16 <= vectors; v += 16) operation.template operator()<Part<2, 8>>(v);
+  if (v + 8 <= vectors) {
+    operation.template operator()<Part<1, 8>>(v);
+    v += 8;
+  }
+  if (v < vectors) operation.template operator()<Part<1, 4>>(v);
 }
 
 /// to -= L from for `rows` rows, whose parts are the columns of registers.

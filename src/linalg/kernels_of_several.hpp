@@ -1,5 +1,5 @@
 #pragma once
-/// The kernels of panel_kernels.hpp for several vectors, a multiple of 8.
+/// The kernels of panel_kernels.hpp for several vectors, a multiple of 4.
 
 #include "panel_kernels.hpp"
 

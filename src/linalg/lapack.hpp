@@ -36,5 +36,13 @@ void dgesv_(const int* n, const int* n_right, double* a, const int* stride_a, in
 /// Solution of A X = B by Cholesky factors, A positive definite.
 void dposv_(const char* triangle, const int* n, const int* n_right, double* a, const int* stride_a, double* b,
             const int* stride_b, int* info, std::size_t);
+/// B = op(A)^-1 B or B op(A)^-1 for a triangle A.
+void dtrsm_(const char* side, const char* triangle, const char* transposed, const char* diagonal, const int* m,
+            const int* n, const double* alpha, const double* a, const int* stride_a, double* b, const int* stride_b,
+            std::size_t, std::size_t, std::size_t, std::size_t);
+/// C = alpha A^T A + beta C, in one triangle.
+void dsyrk_(const char* triangle, const char* transposed, const int* n, const int* k, const double* alpha,
+            const double* a, const int* stride_a, const double* beta, double* c, const int* stride_c, std::size_t,
+            std::size_t);
 }
 // NOLINTEND(readability-identifier-naming)

@@ -19,7 +19,7 @@ struct Panel {
 
 /// The number of vectors that the kernels take for so many: some of them may be of zeros.
 constexpr std::size_t padded(std::size_t vectors) {
-  return vectors == 1 ? 1 : (vectors + 7) / 8 * 8;
+  return vectors == 1 ? 1 : (vectors + 3) / 4 * 4;
 }
 
 // The first n_columns rows of the panels of the next two are a lower triangle. `vectors` is a padded() number.

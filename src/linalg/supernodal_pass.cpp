@@ -64,17 +64,17 @@ struct SupernodalPass::Impl : CutTree {
     for (std::size_t v = 0; v < from.size(); ++v) row[v] = from[v][at];
     for (std::size_t v = from.size(); v < width; ++v) row[v] = 0;
   }
-  // Rows are too short for a call of a library, and their length is 1 or a multiple of 8.
+  // Rows are too short for a call of a library, and their length is 1 or a multiple of 4.
   void copy(const double* x_row, double* to) const {
     if (width == 1) *to = *x_row;
-    for (std::size_t v = 0; v + 8 <= width; v += 8) std::memcpy(to + v, x_row + v, 8 * sizeof(double));
+    for (std::size_t v = 0; v + 4 <= width; v += 4) std::memcpy(to + v, x_row + v, 4 * sizeof(double));
   }
   void add(const double* x_row, double* to) const {
     if (width == 1) *to += *x_row;
-    for (std::size_t v = 0; v + 8 <= width; v += 8) {
-      Vector<8> sum, part;
-      linalg::load<8>(to + v, sum);
-      linalg::load<8>(x_row + v, part);
+    for (std::size_t v = 0; v + 4 <= width; v += 4) {
+      Vector<4> sum, part;
+      linalg::load<4>(to + v, sum);
+      linalg::load<4>(x_row + v, part);
       sum += part;
       std::memcpy(to + v, &sum, sizeof sum);
     }

@@ -9,10 +9,8 @@
 #include "model_parts.hpp"
 
 namespace creepcontact::model {
-namespace {
 
-/// All that a mesh is made of: keys, and the state of the file.
-std::string key_of(const config::Config& config) {
+std::string MeshStore::key_of(const config::Config& config) {
   std::string key = fmt::format("{}\n", config.mesh.trust_geometry);
   for (const config::ConfiguredValue& value : config::all_values(config))
     for (const char* table : {"mesh", "surfaces", "bodies", "analysis", "units"})
@@ -23,26 +21,51 @@ std::string key_of(const config::Config& config) {
                      std::filesystem::file_size(config.mesh.file, none));
 }
 
-}  // namespace
+template <typename Item>
+std::shared_ptr<const Item> MeshStore::Entries<Item>::find(const std::string& key) {
+  const auto found = std::ranges::find(all, key, &Entry<Item>::key);
+  if (found == all.end()) return nullptr;
+  all.splice(all.end(), all, found);
+  return all.back().item;
+}
+
+template <typename Item>
+std::shared_ptr<const Item> MeshStore::Entries<Item>::add(std::string key, std::shared_ptr<const Item> item,
+                                                          std::size_t most) {
+  all.push_back({std::move(key), std::move(item)});
+  ++n_made;
+  if (all.size() > most) all.pop_front();
+  return all.back().item;
+}
 
 std::shared_ptr<const mesh::Mesh> MeshStore::mesh_of(const config::Config& config) {
   constexpr std::size_t most = 4;
   const std::string key = key_of(config);
   const std::scoped_lock lock(mutex_);
-  const auto found = std::ranges::find(entries_, key, &Entry::key);
-  if (found != entries_.end()) {
-    entries_.splice(entries_.end(), entries_, found);
-    return entries_.back().mesh;
+  if (auto found = meshes_.find(key)) return found;
+  return meshes_.add(key, std::make_shared<const mesh::Mesh>(read_mesh(config)), most);
+}
+
+std::shared_ptr<const contact::MortarCoupling> MeshStore::coupling(
+    const std::string& key, const std::function<contact::MortarCoupling()>& make) {
+  constexpr std::size_t most = 64;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (auto found = couplings_.find(key)) return found;
   }
-  entries_.push_back({key, std::make_shared<const mesh::Mesh>(read_mesh(config))});
-  ++n_read_;
-  if (entries_.size() > most) entries_.pop_front();
-  return entries_.back().mesh;
+  auto made = std::make_shared<const contact::MortarCoupling>(make());
+  const std::scoped_lock lock(mutex_);
+  return couplings_.add(key, std::move(made), most);
 }
 
 std::int64_t MeshStore::n_read() const {
   const std::scoped_lock lock(mutex_);
-  return n_read_;
+  return meshes_.n_made;
+}
+
+std::int64_t MeshStore::n_coupled() const {
+  const std::scoped_lock lock(mutex_);
+  return couplings_.n_made;
 }
 
 }  // namespace creepcontact::model

@@ -170,11 +170,12 @@ Model build_model(const config::Config& given, MeshStore* meshes_read) {
   GasketKinds gaskets;
   for (const config::Gasket& gasket : config.gaskets)
     errors.collect(gasket.location, [&] { gaskets[gasket.name] = make_gasket(gasket); });
+  const SharedCouplings couplings(config, meshes_read);
   std::vector<contact::Pair> pairs;
   for (const config::Contact& contact : config.contacts)
     if (!contact.gasket.given() || gaskets.contains(contact.gasket.name))  // else its mistake has been collected
       errors.collect(contact.location,
-                     [&] { pairs.push_back(make_pair(contact, config, bodies, temperature, gaskets, {})); });
+                     [&] { pairs.push_back(make_pair(contact, config, bodies, temperature, gaskets, couplings, {})); });
   errors.raise();
   for (std::size_t p = 0; p < pairs.size(); ++p)
     errors.collect(config.contacts[p].location, [&] {
@@ -201,7 +202,7 @@ Model build_model(const config::Config& given, MeshStore* meshes_read) {
   warn_of_gaskets(config, bodies);
   // Motions that nothing but facets would hold (a ring turning on its shaft) are left free exactly.
   const auto remake = [&](const Bodies& all, std::size_t pair, std::span<const mechanics::RigidMotion> sliding) {
-    return make_pair(config.contacts[pair], config, all, temperature, gaskets, sliding);
+    return make_pair(config.contacts[pair], config, all, temperature, gaskets, couplings, sliding);
   };
   std::optional<LoadCycles> cycles;
   if (config.time.cycle) cycles.emplace(config, changing_values(functions), times);

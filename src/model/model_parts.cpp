@@ -284,7 +284,7 @@ bool has_room_for(const contact::GasketKind& gasket, const config::Contact& cont
 
 contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Bodies& bodies,
                         const std::optional<mechanics::TemperatureField>& temperature, const GasketKinds& gaskets,
-                        std::span<const mechanics::RigidMotion> sliding) {
+                        const SharedCouplings& couplings, std::span<const mechanics::RigidMotion> sliding) {
   const std::array<std::size_t, 2> body = contact_bodies(
       contact, config, {bodies_with(bodies, contact.between[0].name), bodies_with(bodies, contact.between[1].name)});
   std::array<contact::Surface, 2> surfaces;
@@ -308,10 +308,12 @@ contact::Pair make_pair(const config::Contact& contact, const config::Config& co
   pair.master_surface = surfaces[master].name;
   pair.slave_body = body[slave];
   pair.master_body = body[master];
-  pair.coupling = contact.type == settings::ContactType::tied
-                      ? contact::tied_coupling(surfaces[slave], surfaces[master])
-                      : contact::mortar_coupling(surfaces[slave], surfaces[master], contact.type, sliding,
-                                                 !contact.friction.is_zero());
+  pair.coupling = couplings.of(contact, slave, sliding, [&] {
+    return contact.type == settings::ContactType::tied
+               ? contact::tied_coupling(surfaces[slave], surfaces[master])
+               : contact::mortar_coupling(surfaces[slave], surfaces[master], contact.type, sliding,
+                                          !contact.friction.is_zero());
+  });
   pair.gap = contact.gap;
   if (contact.preload) pair.preload = {contact.preload->force, contact.preload->time};
   pair.geometric_gap = contact.geometric_gap;

@@ -12,6 +12,7 @@
 #include "creepcontact/model/materials.hpp"
 #include "creepcontact/model/model.hpp"
 #include "creepcontact/model/numbered_nodes.hpp"
+#include "shared_couplings.hpp"
 
 namespace creepcontact::model {
 
@@ -90,7 +91,7 @@ void append_springs(const config::Config& config, const Bodies& bodies, std::vec
 /// @param sliding  relative motions that the pair leaves free exactly
 contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Bodies& bodies,
                         const std::optional<mechanics::TemperatureField>& temperature, const GasketKinds& gaskets,
-                        std::span<const mechanics::RigidMotion> sliding);
+                        const SharedCouplings& couplings, std::span<const mechanics::RigidMotion> sliding);
 
 /// Discontinuities in time of every function of the configuration and the times at which it turns back, the points of
 /// tables, the ends of cycles, and the user's own breakpoints; ascending, within (0, end).

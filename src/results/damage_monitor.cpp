@@ -60,9 +60,11 @@ void DamageMonitor::warn(double time, const creep::Evaluation& at, std::span<con
   for (std::size_t b = 0; b < bodies.size() && !warned_of_strain_; ++b) {
     std::array<double, 4> large{};  // the strain, if it is large, and its place
     for (std::size_t p = 0; !views[b].empty() && large[0] == 0 && p < bodies[b].discretization().n_points(); ++p) {
-      const double strain = tensor::equivalent_strain(views[b].at(p));
+      const tensor::ConstMap strain = views[b].at(p);
+      if (!(strain.squaredNorm() > small_strain * small_strain)) continue;  // more than that of its deviator
+      const double equivalent = tensor::equivalent_strain(strain);
       const Vector3& x = bodies[b].discretization().point_coordinates()[p];
-      if (strain > small_strain) large = {strain, x.x(), x.y(), x.z()};
+      if (equivalent > small_strain) large = {equivalent, x.x(), x.y(), x.z()};
     }
     team.broadcast(large, team.rank_of_max(large[0] > 0 ? 1 : 0));
     if (large[0] == 0) continue;

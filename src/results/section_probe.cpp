@@ -109,7 +109,9 @@ class SectionProbe final : public Probe {
         const std::string& surface = is_slave ? pairs[p].slave_surface : pairs[p].master_surface;
         const auto faces =
             pairs[p].ties_nodes() ? std::vector<mesh::Face>() : mesh::boundary_faces(cut.mesh(), surface);
-        contacts_.push_back({p, is_slave, shares_beyond(cut, faces)});
+        const contact::MortarCoupling& coupling = pairs[p].coupling;
+        contacts_.push_back({p, resultants(cut.mesh(), is_slave ? coupling.slave_rows : coupling.master_rows,
+                                           shares_beyond(cut, faces))});
       }
   }
 
@@ -122,10 +124,9 @@ class SectionProbe final : public Probe {
     Resultant common;  // all members of a team know the state of the contacts
     for (const Contact& contact : contacts_) {
       const contact::Pair& pair = snapshot.assembly().pairs()[contact.pair];
-      const contact::RowMatrix& rows = contact.is_slave ? pair.coupling.slave_rows : pair.coupling.master_rows;
-      const Eigen::VectorXd forces =
-          rows.transpose() * at.contact.multiplier.segment(pair.first_row, pair.coupling.n_rows());
-      add_nodes(snapshot, forces, contact.shares, common);
+      const Tensor6 sum = contact.resultants * at.contact.multiplier.segment(pair.first_row, pair.coupling.n_rows());
+      common.force += sum.head<3>();
+      common.moment += sum.tail<3>();
     }
     return snapshot.assembly().team().sum(component(own)) + component(common);
   }
@@ -133,9 +134,24 @@ class SectionProbe final : public Probe {
  private:
   struct Contact {
     std::size_t pair;
-    bool is_slave;
-    std::vector<NodeShare> shares;
+    Eigen::Matrix<double, 6, Eigen::Dynamic> resultants;  // force and moment of each row's unit multiplier
   };
+  Eigen::Matrix<double, 6, Eigen::Dynamic> resultants(const mesh::Mesh& mesh, const contact::RowMatrix& rows,
+                                                      const std::vector<NodeShare>& shares) const {
+    std::vector<double> share_of(mesh.nodes.size(), 0.0);
+    for (const auto& [node, share] : shares) share_of[static_cast<std::size_t>(node)] = share;
+    Eigen::Matrix<double, 6, Eigen::Dynamic> result(6, rows.rows());
+    for (Index row = 0; row < rows.rows(); ++row) {
+      Resultant sum;
+      for (contact::RowMatrix::InnerIterator it(rows, row); it; ++it) {
+        const auto node = static_cast<std::size_t>(it.col() / 3);
+        if (share_of[node] != 0)
+          add(mesh.nodes[node] - about_, share_of[node] * it.value() * Vector3::Unit(it.col() % 3), sum);
+      }
+      result.col(row) << sum.force, sum.moment;
+    }
+    return result;
+  }
   static void add(const Vector3& arm, const Vector3& force, Resultant& into) {
     into.force += force;
     into.moment += arm.cross(force);
@@ -148,16 +164,11 @@ class SectionProbe final : public Probe {
   void add_reactions(Snapshot& snapshot, Resultant& into) const {
     const std::vector<double>& reactions = snapshot.reactions(body_);
     const Eigen::Map<const Eigen::VectorXd> forces(reactions.data(), std::ssize(reactions));
-    add_nodes(snapshot, forces, at_nodes_, into);
     const mesh::Mesh& mesh = snapshot.assembly().bodies()[body_].mesh();
+    for (const auto& [node, share] : at_nodes_)
+      add(mesh.nodes[node] - about_, share * forces.segment<3>(3 * node), into);
     for (const auto& [node, share] : at_supports_)
       add(mesh.nodes[node] - about_, share * forces.segment<3>(3 * node), into);
-  }
-
-  void add_nodes(Snapshot& snapshot, const Eigen::Ref<const Eigen::VectorXd>& forces,
-                 const std::vector<NodeShare>& shares, Resultant& into) const {
-    const mesh::Mesh& mesh = snapshot.assembly().bodies()[body_].mesh();
-    for (const auto& [node, share] : shares) add(mesh.nodes[node] - about_, share * forces.segment<3>(3 * node), into);
   }
 
   std::size_t body_;

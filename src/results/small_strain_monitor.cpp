@@ -28,9 +28,12 @@ PointStrain largest_strain(const mechanics::Body& body, const mechanics::BodyCon
     // The compliance of isotropic elasticity is at most 1/(2 mu) for nu >= 0, elsewhere 1/(3 lambda + 2 mu).
     if (is_plain) {
       const mechanics::Moduli& h = elastic.at(p);
-      const double stiffness = std::min(2 * h.mu, 3 * h.lambda + 2 * h.mu);
-      const double creep_strain = creep.empty() ? 0 : creep.at(p).norm();
-      if (tensor::view(stress, p).norm() < (std::max(limit, largest.value) - creep_strain) * stiffness) continue;
+      const double stiffness = std::min(2 * h.mu, 3 * h.lambda + 2 * h.mu), least = std::max(limit, largest.value);
+      const double creep_square = creep.empty() ? 0 : creep.at(p).squaredNorm();
+      // (a + b)^2 <= 2 (a^2 + b^2)
+      if (2 * (tensor::view(stress, p).squaredNorm() + creep_square * stiffness * stiffness) <
+          least * least * stiffness * stiffness)
+        continue;
     }
     Tensor6 strain = elastic.elastic_strain(p, tensor::view(stress, p)) + elastic.thermal(p);
     if (!creep.empty()) strain += creep.at(p);

@@ -68,31 +68,51 @@ std::vector<std::pair<std::size_t, const PointState*>> columns(const std::vector
 BodyFields::BodyFields(const mechanics::Body& body, const mechanics::BodyConditions& conditions,
                        const creep::BodyState& state, mechanics::CreepStrainView creep,
                        std::vector<PointState> variables, BodyHeat heat)
-    : body_(body), state_(state), variables_(std::move(variables)), heat_(std::move(heat)) {
-  using enum PointField;
-  const mechanics::Discretization& discretization = body.discretization();
-  const auto at_points = [&](PointField field) -> std::vector<double>& { return points_[number(field)]; };
-  at_points(stress) = state.stress;
-  discretization.fit_mean_stress(at_points(stress));
-  at_points(creep_strain).assign(6 * n_points(), 0.0);
-  if (!creep.empty())
-    for (std::size_t p = 0; p < n_points(); ++p) tensor::writable(at_points(creep_strain), p) = creep.at(p);
-  const mechanics::ElasticState elastic = conditions.elastic();
-  at_points(strain) = at_points(creep_strain);
-  for (std::size_t p = 0; p < n_points(); ++p) {
-    tensor::Map total = tensor::writable(at_points(strain), p);
-    total += elastic.elastic_strain(p, tensor_at(at_points(stress), p));
-    total += elastic.thermal(p);
-  }
+    : body_(body),
+      conditions_(conditions),
+      state_(state),
+      creep_(creep),
+      variables_(std::move(variables)),
+      heat_(std::move(heat)) {
+  std::vector<double>& stress = points_[number(PointField::stress)];
+  stress = state.stress;
+  body.discretization().fit_mean_stress(stress);
   for (const PointState& variable : variables_)
-    if (variable.variable == &material::plastic_strain)
-      for (std::size_t i = 0; i < variable.values.size(); ++i) at_points(strain)[i] += variable.values[i];
-  at_points(temperature) = conditions.temperature;
-  at_points(temperature).resize(n_points(), body.material().reference_temperature);
+    if (variable.variable == &material::plastic_strain) plastic_strain_ = &variable;
   if (variables_.empty()) return;
   state_at_points_.assign(state_width() * n_points(), 0.0);
   for (const auto& [first, known] : columns(variables_))
     insert(known->values, known->variable->width(), first, state_at_points_);
+}
+
+Tensor6 BodyFields::creep_strain_at(std::size_t point) const {
+  return creep_.empty() ? Tensor6(Tensor6::Zero()) : Tensor6(creep_.at(point));
+}
+
+Tensor6 BodyFields::strain_at(std::size_t point) const {
+  const mechanics::ElasticState elastic = conditions_.elastic();
+  Tensor6 total = creep_strain_at(point);
+  total += elastic.elastic_strain(point, tensor_at(points_[number(PointField::stress)], point));
+  total += elastic.thermal(point);
+  if (plastic_strain_ != nullptr) total += tensor_at(plastic_strain_->values, point);
+  return total;
+}
+
+double BodyFields::temperature_at(std::size_t point) const {
+  return conditions_.temperature.empty() ? body_.material().reference_temperature : conditions_.temperature[point];
+}
+
+const std::vector<double>& BodyFields::point_values(PointField field) const {
+  std::vector<double>& values = points_[number(field)];
+  if (!values.empty()) return values;
+  if (field == PointField::temperature) {
+    for (std::size_t p = 0; p < n_points(); ++p) values.push_back(temperature_at(p));
+    return values;
+  }
+  values.resize(6 * n_points());
+  for (std::size_t p = 0; p < n_points(); ++p)
+    tensor::writable(values, p) = field == PointField::strain ? strain_at(p) : creep_strain_at(p);
+  return values;
 }
 
 const BodyFields::Nodal& BodyFields::nodal() const {
@@ -101,13 +121,15 @@ const BodyFields::Nodal& BodyFields::nodal() const {
   const mechanics::Discretization& discretization = body_.discretization();
   Nodal& at_nodes = nodal_.emplace();
   std::vector<double> tensors(6 * n_tensors * n_points());
-  for (std::size_t k = 0; k < n_tensors; ++k)
+  for (const PointField field : {stress, strain, creep_strain}) {
+    const std::vector<double>& values = point_values(field);
     for (std::size_t p = 0; p < n_points(); ++p)
-      tensor::writable(tensors, n_tensors * p + k) = tensor_at(points_[k], p);
+      tensor::writable(tensors, n_tensors * p + number(field)) = tensor_at(values, p);
+  }
   at_nodes.tensors.resize(6 * n_tensors * discretization.n_nodes());
   discretization.tensors_to_nodes(tensors, at_nodes.tensors);
   at_nodes.temperature =
-      heat_.temperature.empty() ? to_nodes(discretization, points_[number(temperature)], false) : heat_.temperature;
+      heat_.temperature.empty() ? to_nodes(discretization, point_values(temperature), false) : heat_.temperature;
   if (!heat_.flux.empty()) {
     at_nodes.heat_flux.resize(3 * discretization.n_nodes());
     discretization.to_nodes(heat_.flux, 3, at_nodes.heat_flux);
@@ -142,9 +164,9 @@ Sample BodyFields::at_point(std::size_t point) const {
   return {body_.discretization().point_coordinates()[point],
           Vector3::Zero(),
           tensor_at(points_[number(stress)], point),
-          tensor_at(points_[number(strain)], point),
-          tensor_at(points_[number(creep_strain)], point),
-          points_[number(temperature)][point],
+          strain_at(point),
+          creep_strain_at(point),
+          temperature_at(point),
           vector_at(heat_.flux, point),
           row(state_at_points_, point)};
 }

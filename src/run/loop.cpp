@@ -31,8 +31,10 @@ End Loop::run(const io::Checkpoint* resumed) {
     else if (resume(*resumed))
       return End::completed;
     while (reaction != Reaction::stop && !position_.is_at_end() && !context_.team().any(interrupt.requested())) {
-      keep_restart_point();
-      if (restart_points_.is_due()) restart_points_.write();
+      const bool is_due = restart_points_.is_due();
+      if (is_due || !context_.integrates || restart_points_.is_worth_keeping(context_.system().size()))
+        keep_restart_point();
+      if (is_due) restart_points_.write();
       reaction = step();
       if (reaction != Reaction::go_back) continue;
       observers_.undo();

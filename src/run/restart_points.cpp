@@ -6,7 +6,14 @@
 
 namespace creepcontact::run {
 
+bool RestartPoints::is_worth_keeping(std::size_t size) const {
+  constexpr double long_state = 20000, seconds = 1;
+  const bool is_late = std::chrono::steady_clock::now() - kept_ > std::chrono::duration<double>(seconds);
+  return files_.team().any(is_late || static_cast<double>(size) < long_state);
+}
+
 void RestartPoints::keep(io::Checkpoint here) {
+  kept_ = std::chrono::steady_clock::now();
   if (files_.team().any(observers_.is_writing())) {
     after_files_ = std::move(here);
     return;

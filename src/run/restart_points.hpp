@@ -1,6 +1,7 @@
 #pragma once
 /// The newest state of a run from which it can be resumed: all its results are in files that are complete.
 
+#include <chrono>
 #include <optional>
 
 #include "checkpoints.hpp"
@@ -15,6 +16,10 @@ class RestartPoints {
   /// @param observers, checkpoints  must outlive the object
   RestartPoints(const ObserverList& observers, Checkpoints& checkpoints) : observers_(observers), files_(checkpoints) {}
 
+  /// Whether to keep a state while the run goes on. Copies of a long one at every step would cost a twentieth of a run;
+  /// what a failure loses without them is computed again in a second.
+  /// @param size  of the state, in numbers
+  bool is_worth_keeping(std::size_t size) const;
   /// The run may be resumed from this state. @throws Error if a file written before could not be completed
   void keep(io::Checkpoint here);
   /// Waits until the files under way are complete. @throws Error if they cannot be; the newest state is then before
@@ -35,6 +40,7 @@ class RestartPoints {
   const ObserverList& observers_;
   Checkpoints& files_;
   std::optional<io::Checkpoint> newest_, after_files_;  // the latter for when the files under way are complete
+  std::chrono::steady_clock::time_point kept_;          // when keep() was called last
 };
 
 }  // namespace creepcontact::run

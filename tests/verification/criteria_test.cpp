@@ -35,7 +35,9 @@ TEST(Utilisation, OfBothKindsAndAllSigns) {
                                           {1, 0, infinite, 0},
                                           {-1, 0, 0, infinite},
                                           {0, 100, 0, infinite}}) {
-    if (found != -50) EXPECT_EQ(results::utilisation(found, allowed, false), of_maximum) << found << ", " << allowed;
+    if (found != -50) {
+      EXPECT_EQ(results::utilisation(found, allowed, false), of_maximum) << found << ", " << allowed;
+    }
     EXPECT_EQ(results::utilisation(found, allowed, true), of_minimum) << found << ", " << allowed;
   }
   EXPECT_EQ(results::utilisation(-50, -100, false), 2);  // above a negative maximum

@@ -87,7 +87,8 @@ class EquilibriumSolver {
   /// share their passes. @param at  of a model that is_piecewise_linear()
   /// @throws SolverError as ActiveSetSystem::solve()
   /// Cost: a forward and a back substitution per body for all of them, and an element loop for each
-  std::vector<EquilibriumChange> changes(const Equilibrium& at, std::vector<EquationChange> of);
+  /// @param of  its forces are overwritten @param into  of an earlier call, or new
+  void changes(const Equilibrium& at, std::vector<EquationChange>& of, std::vector<EquilibriumChange>& into);
   /// Whether an equilibrium depends on loads and strains alone, and is linear in them while its set of closed rows is
   /// the same: no friction, no gaskets, no yielding, a direct solver, and a stiffness that is constant in time.
   bool is_piecewise_linear() const;

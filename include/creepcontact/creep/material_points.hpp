@@ -75,6 +75,10 @@ class MaterialPoints {
   /// @param tangents  of all points, set to what tangents() gives; or empty
   void rate(const PointsState& at, std::span<double> rate, std::span<material::StressTangent> tangents = {}) const;
   void derivative(const PointsState& at, const PointsChange& change, std::span<double> rate_change) const;
+  /// derivative() of laws of a closed form, by the tangents of all points: no law is evaluated.
+  /// @param tangents  of tangents(at)
+  void derivative_by_tangents(const PointsState& at, std::span<const material::StressTangent> tangents,
+                              std::span<const double> stress_change, std::span<double> rate_change) const;
   /// The derivative at point p only. @param change, rate_change  of this point
   void derivative_at(std::size_t p, const PointsState& at, const PointsChange& change,
                      std::span<double> rate_change) const;

@@ -25,7 +25,8 @@ class PointPreconditioner {
  private:
   /// C H of one point.
   struct Local {
-    std::array<double, 6> direction;        // of the stress deviator, unit length
+    std::array<double, 6> deviator;         // of the stress
+    double inverse_square;                  // 1 / its squared length; 0 without a deviator
     double deviatoric, radial, volumetric;  // coefficients of C H, see material::StressTangent
 
     Local() = default;

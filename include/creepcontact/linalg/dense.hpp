@@ -58,6 +58,11 @@ Eigen::VectorXi column_pivots(const Eigen::MatrixXd& matrix);
 /// Inverse of a square matrix, not finite if the matrix is singular (LU with partial pivoting).
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix);
 
+/// X = L^-1 X. @param factor  L in the lower triangle, whose entries alone are read
+void substitute_forward_in_all(const Eigen::MatrixXd& factor, Eigen::MatrixXd& columns);
+/// X^T X
+Eigen::MatrixXd products_of_columns(const Eigen::MatrixXd& columns);
+
 /// X of A X = B. @param matrix  symmetric positive definite
 Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 Tensor6 solve_positive(const Matrix6& matrix, const Tensor6& right);

@@ -40,14 +40,16 @@ struct BodyHeat {
   std::vector<double> flux;         ///< n_points x 3
 };
 
-/// Fields of one body at its integration points, and smoothed at its nodes: these are computed at their first use. One
+/// Fields of one body at its integration points, and smoothed at its nodes: computed where they are used first. One
 /// thread at a time.
 class BodyFields {
  public:
-  /// @param body, state  must outlive the object @param conditions, creep  of the same equilibrium; not used later
+  /// @param body, state, conditions, creep  of one equilibrium, must outlive the object
   /// @param variables  in the order of material::state_variables(); those that are missing are zero
   BodyFields(const mechanics::Body& body, const mechanics::BodyConditions& conditions, const creep::BodyState& state,
              mechanics::CreepStrainView creep, std::vector<PointState> variables, BodyHeat heat);
+  BodyFields(const BodyFields&) = delete;
+  BodyFields& operator=(const BodyFields&) = delete;
 
   std::size_t n_nodes() const { return body_.mesh().n_cell_nodes(); }
   std::size_t n_points() const { return body_.discretization().n_points(); }
@@ -58,7 +60,7 @@ class BodyFields {
   /// Temperatures of the nodes; empty unless they are computed.
   const std::vector<double>& computed_temperature() const { return heat_.temperature; }
   /// Point values: n_points x 6 (Mandel order) for tensors, n_points for scalars.
-  const std::vector<double>& point_values(PointField field) const { return points_[static_cast<std::size_t>(field)]; }
+  const std::vector<double>& point_values(PointField field) const;
 
  private:
   /// Fields smoothed at the nodes.
@@ -68,12 +70,18 @@ class BodyFields {
     std::vector<double> state;                 // one row as Sample::state each; empty: all zero
   };
   const Nodal& nodal() const;
+  Tensor6 creep_strain_at(std::size_t point) const;
+  Tensor6 strain_at(std::size_t point) const;
+  double temperature_at(std::size_t point) const;
 
   const mechanics::Body& body_;
+  const mechanics::BodyConditions& conditions_;
   const creep::BodyState& state_;
-  std::array<std::vector<double>, n_tensors + 1> points_;  // indexed by PointField
+  mechanics::CreepStrainView creep_;
+  mutable std::array<std::vector<double>, n_tensors + 1> points_;  // indexed by PointField; empty: not used yet
   std::vector<PointState> variables_;
-  std::vector<double> state_at_points_;  // one row as Sample::state each; empty: all zero
+  const PointState* plastic_strain_ = nullptr;  // of variables_
+  std::vector<double> state_at_points_;         // one row as Sample::state each; empty: all zero
   BodyHeat heat_;
   mutable std::optional<Nodal> nodal_;
 };

@@ -1,5 +1,7 @@
 #include "active_set.hpp"
 
+#include "creepcontact/linalg/dense_products.hpp"
+
 namespace creepcontact::contact {
 namespace {
 
@@ -20,7 +22,7 @@ ActiveSet::ActiveSet(const ContactProblem& problem, std::vector<int> active)
 }
 
 Eigen::VectorXd ActiveSet::gaps(const Eigen::VectorXd& multiplier) const {
-  if (copied_) return flexibility_.selfadjointView<Eigen::Lower>() * multiplier;
+  if (copied_) return linalg::symmetric_product(flexibility_, multiplier);
   Eigen::VectorXd all = Eigen::VectorXd::Zero(problem_.n_rows());
   all(active_) = multiplier;
   return flexibility_product(problem_, all)(active_);

@@ -5,6 +5,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/linalg/dense.hpp"
+#include "creepcontact/linalg/dense_products.hpp"
 #include "friction_system.hpp"
 #include "projected_cg.hpp"
 
@@ -118,14 +119,14 @@ ActiveSetSolution ActiveSetSystem::solve_directly(const ContactLoad& load) {
   state.active = active_;
   const double largest = load.resultant.size() > 0 ? load.resultant.cwiseAbs().maxCoeff() : 0.0;
   Eigen::VectorXd reduced = -load.gap(active_);  // L^-1 (-gap)
-  factor_.matrixL().solveInPlace(reduced);
+  linalg::substitute_forward(factor_.matrixLLT(), reduced);
   if (n_motions > 0) {
     Eigen::VectorXd unbalanced = motions_.transpose() * reduced;  // of the gaps alone
     if (largest > 0) unbalanced += load.resultant;
     state.rigid = coarse_inverse_ * unbalanced;
     reduced.noalias() -= motions_ * state.rigid;
   }
-  factor_.matrixU().solveInPlace(reduced);
+  linalg::substitute_backward(factor_.matrixLLT(), reduced);
   state.multiplier(active_) = reduced;
   if (n_motions > 0) {
     Eigen::VectorXd left = problem_.rigid(active_, Eigen::all).transpose() * reduced;

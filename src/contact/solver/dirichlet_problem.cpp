@@ -4,6 +4,7 @@
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/linalg/dense.hpp"
+#include "creepcontact/linalg/dense_products.hpp"
 #include "rigid_balance.hpp"
 
 namespace creepcontact::contact {
@@ -38,7 +39,7 @@ DirichletProblem::DirichletProblem(const ContactProblem& problem, std::size_t bo
 }
 
 Eigen::VectorXd DirichletProblem::multipliers(const Eigen::VectorXd& trace) const {
-  return regular_ ? Eigen::VectorXd(factor_.solve(trace)) : Eigen::VectorXd(pseudo_inverse_ * trace);
+  return regular_ ? linalg::solution(factor_.matrixLLT(), trace) : linalg::symmetric_product(pseudo_inverse_, trace);
 }
 
 Eigen::VectorXd DirichletProblem::balanced_multipliers(const Eigen::VectorXd& trace) const {

@@ -4,6 +4,7 @@
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/linalg/dense.hpp"
+#include "creepcontact/linalg/dense_products.hpp"
 
 namespace creepcontact::contact {
 namespace {
@@ -64,7 +65,7 @@ void FrictionSplitting::iterate(const ContactLoad& load, double tolerance, int m
     Eigen::VectorXd right = weight_.cwiseProduct(z - u) - load.gap;
     // With N^T x = -resultant, c N N^T x is known.
     if (n_motions > 0) right.noalias() -= fixing_flexibility_ * problem.rigid * resultant;
-    x = factor_.solve(right);
+    x = linalg::solution(factor_.matrixLLT(), right);
     if (n_motions > 0) {
       state.rigid = coarse_inverse_ * (problem.rigid.transpose() * x + resultant);
       x.noalias() -= motions_ * state.rigid;

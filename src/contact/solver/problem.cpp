@@ -5,6 +5,8 @@
 #include <iterator>
 #include <limits>
 
+#include "creepcontact/linalg/dense_products.hpp"
+
 namespace creepcontact::contact {
 namespace {
 
@@ -58,9 +60,8 @@ ContactProblem ContactProblem::with_compliance(const ContactProblem& owner, Eige
 }
 
 Eigen::VectorXd flexibility_product(const ContactProblem& problem, const Eigen::VectorXd& multiplier) {
-  Eigen::VectorXd gaps = problem.large
-                             ? problem.large->gaps(multiplier)
-                             : Eigen::VectorXd(problem.flexibility().selfadjointView<Eigen::Lower>() * multiplier);
+  Eigen::VectorXd gaps =
+      problem.large ? problem.large->gaps(multiplier) : linalg::symmetric_product(problem.flexibility(), multiplier);
   if (problem.compliance.size() > 0) gaps += problem.compliance.cwiseProduct(multiplier);
   return gaps;
 }

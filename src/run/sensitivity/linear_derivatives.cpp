@@ -63,41 +63,46 @@ Eigen::VectorXd LinearDerivatives::gap_of(const contact::Pair& pair) const {
   return gap;
 }
 
-creep::EquationChange LinearDerivatives::equations(std::size_t k, const creep::Evaluation& at,
-                                                   std::span<const double> state_change) {
+void LinearDerivatives::equations(std::size_t k, const creep::Evaluation& at, std::span<const double> state_change,
+                                  creep::EquationChange& change) {
   const auto lap = watch_.lap(Part::material);
   NearbyModel &with_more = more(k), &with_less = less(k);
-  creep::EquationChange change;
   const contact::InterfaceLoad load = with_more.load(at), opposite = with_less.load(at);
   change.gap = central_difference(load.gap, opposite.gap);
   change.work = central_difference(load.work, opposite.work);
   base().layout().views(state_change, change.strain);
   change.stress.resize(change.strain.size());
+  change.forces.resize(change.strain.size());
   for (std::size_t b = 0; b < change.strain.size(); ++b) {
     const mechanics::FactoredBody& factored = solver_.interface().factored(b);
     const mechanics::Body& body = factored.body();
-    std::vector<double>& forces =
-        change.forces.emplace_back(static_cast<std::size_t>(body.constraints().n_free()), 0.0);
+    std::vector<double>& forces = change.forces[b];
+    forces.resize(static_cast<std::size_t>(body.constraints().n_free()));
     if (with_more.stresses_differ(b, at) || with_less.stresses_differ(b, at)) {
-      change.stress[b] = with_more.stress(b, at, change.strain[b]);
-      replace_by_difference(change.stress[b], with_less.stress(b, at, change.strain[b]));
+      with_more.stress(b, at, change.strain[b], change.stress[b]);
+      with_less.stress(b, at, change.strain[b], opposite_);
+      replace_by_difference(change.stress[b], opposite_);
       change.strain[b] = {};
       body.residual({}, change.stress[b], forces);
-    } else if (!change.strain[b].empty()) {
-      body.initial_strain_force(factored.elastic(), change.strain[b], forces);
+    } else {
+      change.stress[b].clear();
+      if (change.strain[b].empty())
+        std::ranges::fill(forces, 0.0);
+      else
+        body.initial_strain_force(factored.elastic(), change.strain[b], forces);
     }
     add_difference_of_loads(with_more.conditions(b, at), with_less.conditions(b, at), body, forces);
   }
   for (std::size_t p = 0; p < interference_[k].size(); ++p)
     if (interference_[k][p] != 0) change.gap += interference_[k][p] * gap_of(solver_.assembly().pairs()[p]);
-  return change;
 }
 
-std::vector<creep::EquilibriumChange> LinearDerivatives::respond(const creep::Evaluation& at,
-                                                                 std::span<const double> whole) {
-  std::vector<creep::EquationChange> changes;
-  for (std::size_t k = 0; k < values().size(); ++k) changes.push_back(equations(k, at, block(whole, k + 1)));
-  return solver_.changes(at.equilibrium, std::move(changes));
+const std::vector<creep::EquilibriumChange>& LinearDerivatives::respond(const creep::Evaluation& at,
+                                                                        std::span<const double> whole) {
+  equations_.resize(values().size());
+  for (std::size_t k = 0; k < values().size(); ++k) equations(k, at, block(whole, k + 1), equations_[k]);
+  solver_.changes(at.equilibrium, equations_, changes_);
+  return changes_;
 }
 
 bool LinearDerivatives::laws_differ(std::size_t k, std::size_t body, const creep::Evaluation& at) const {
@@ -113,29 +118,38 @@ bool LinearDerivatives::laws_differ(std::size_t k, std::size_t body, const creep
 void LinearDerivatives::rate(double t, std::span<const double> whole, std::span<double> rate) {
   base().rate(t, block(whole, 0), block(rate, 0));
   const creep::Evaluation& at = base().evaluate_step(t, block(whole, 0));
-  const std::vector<creep::EquilibriumChange> changes = respond(at, whole);
+  const std::vector<creep::EquilibriumChange>& changes = respond(at, whole);
   const auto lap = watch_.lap(Part::material);
   const creep::BodyLaws& laws = base().laws();
   std::vector<double> with_more, with_less;
-  for (std::size_t k = 0; k < values().size(); ++k)
-    laws.for_each_creeping([&](std::size_t b, const creep::MaterialPoints& points) {
+  std::vector<material::StressTangent> tangents;
+  laws.for_each_creeping([&](std::size_t b, const creep::MaterialPoints& points) {
+    const creep::PointsState state = laws.state(b, at, at.y);
+    if (points.has_closed_form()) {
+      tangents.resize(points.size());
+      points.tangents(state, tangents);
+    }
+    for (std::size_t k = 0; k < values().size(); ++k) {
       const std::span<double> into = laws.layout().part(b, block(rate, k + 1));
-      points.derivative(laws.state(b, at, at.y), {changes[k].stress[b], laws.layout().part(b, block(whole, k + 1))},
-                        into);
-      if (!laws_differ(k, b, at)) return;
+      if (points.has_closed_form())
+        points.derivative_by_tangents(state, tangents, changes[k].stress[b], into);
+      else
+        points.derivative(state, {changes[k].stress[b], laws.layout().part(b, block(whole, k + 1))}, into);
+      if (!laws_differ(k, b, at)) continue;
       with_more.resize(into.size());
       with_less.resize(into.size());
       more(k).rate(b, at, with_more);
       less(k).rate(b, at, with_less);
       add_difference(with_more, with_less, into);
-    });
+    }
+  });
 }
 
 void LinearDerivatives::start_increment(double t, std::span<const double> whole, double stress_time, double duration,
                                         std::span<double> change) {
   base().start_increment(t, block(whole, 0), stress_time, duration, block(change, 0));
   const creep::Evaluation& at = base().evaluate_step(stress_time, block(whole, 0));
-  const std::vector<creep::EquilibriumChange> changes = respond(at, whole);
+  const std::vector<creep::EquilibriumChange>& changes = respond(at, whole);
   std::vector<double> with_more(base().size()), with_less(base().size());
   for (std::size_t k = 0; k < values().size(); ++k) {
     const auto increments = [&](NearbyModel& model, std::vector<double>& into) {
@@ -169,7 +183,7 @@ void LinearDerivatives::pass_breakpoint(double t, std::span<const double> whole)
   const auto n = static_cast<Index>(due.size()), n_values = static_cast<Index>(values().size());
   const creep::Evaluation& at = base().evaluate_output(t, block(whole, 0));
   std::vector<creep::EquationChange> equations_of;
-  for (std::size_t k = 0; k < values().size(); ++k) equations_of.push_back(equations(k, at, block(whole, k + 1)));
+  for (std::size_t k = 0; k < values().size(); ++k) equations(k, at, block(whole, k + 1), equations_of.emplace_back());
   Eigen::MatrixXd gaps(solver_.interface().n_rows(), n);
   for (Index q = 0; q < n; ++q) {
     creep::EquationChange& change = equations_of.emplace_back();
@@ -181,7 +195,8 @@ void LinearDerivatives::pass_breakpoint(double t, std::span<const double> whole)
     change.stress.resize(change.forces.size());
     change.strain.resize(change.forces.size());
   }
-  const std::vector<creep::EquilibriumChange> changes = solver_.changes(at.equilibrium, std::move(equations_of));
+  std::vector<creep::EquilibriumChange> changes;
+  solver_.changes(at.equilibrium, equations_of, changes);
   Eigen::MatrixXd forces(n, n_values), missing(n, n_values), stiffness(n, n);
   for (Index k = 0; k < n_values; ++k) {
     const auto number = static_cast<std::size_t>(k);
@@ -225,7 +240,7 @@ std::vector<Derivatives::OfProbes> LinearDerivatives::of_probes(double t, std::s
   for (std::size_t k = 0; k < values().size() && is_start; ++k)
     for (NearbyModel* const model : {&more(k), &less(k)})
       require_same_start(values()[k], model->starts_singular(at), base().singular_rate() != nullptr);
-  const std::vector<creep::EquilibriumChange> changes = respond(at, whole);
+  const std::vector<creep::EquilibriumChange>& changes = respond(at, whole);
   std::vector<OfProbes> result(values().size());
   for (std::size_t k = 0; k < values().size(); ++k) {
     const auto values_of = [&](NearbyModel& model) {

@@ -39,9 +39,11 @@ class LinearDerivatives final : public Derivatives {
   NearbyModel& more(std::size_t k) const { return *models_[2 * k]; }
   NearbyModel& less(std::size_t k) const { return *models_[2 * k + 1]; }
   /// What changes with value k in the equations of the equilibrium, at the displacements of the run.
-  creep::EquationChange equations(std::size_t k, const creep::Evaluation& at, std::span<const double> state_change);
-  /// The changes of the equilibrium with all values.
-  std::vector<creep::EquilibriumChange> respond(const creep::Evaluation& at, std::span<const double> whole);
+  /// @param change  of an earlier call, or new
+  void equations(std::size_t k, const creep::Evaluation& at, std::span<const double> state_change,
+                 creep::EquationChange& change);
+  /// The changes of the equilibrium with all values, up to the next call.
+  const std::vector<creep::EquilibriumChange>& respond(const creep::Evaluation& at, std::span<const double> whole);
   /// Whether the laws of a body may have other rates in the same state.
   bool laws_differ(std::size_t k, std::size_t body, const creep::Evaluation& at) const;
   bool opens_or_closes(const creep::Equilibrium& at, const creep::EquilibriumChange& change) const;
@@ -53,6 +55,10 @@ class LinearDerivatives final : public Derivatives {
   /// Derivatives of the interference that preloads have given, by value and pair.
   std::vector<std::vector<double>> interference_;
   double preloaded_until_ = -1;
+  // Memory of respond(): fresh pages for each step would cost as much as the laws.
+  std::vector<creep::EquationChange> equations_;
+  std::vector<creep::EquilibriumChange> changes_;
+  std::vector<double> opposite_;
 };
 
 }  // namespace creepcontact::run

@@ -27,9 +27,14 @@ NearbyModel::NearbyModel(const config::Config& config, double sign, Kept& kept, 
   at_.equilibrium.bodies.resize(model_.bodies().size());
 }
 
+const std::vector<mechanics::BodyConditions>& NearbyModel::conditions(const creep::Evaluation& at) {
+  if (updated_to_ != at.time) model_.assembly.update(at.time, at_.equilibrium.conditions);
+  updated_to_ = at.time;
+  return at_.equilibrium.conditions;
+}
+
 const mechanics::BodyConditions& NearbyModel::conditions(std::size_t body, const creep::Evaluation& at) {
-  model_.assembly.update(at.time, at_.equilibrium.conditions);
-  return at_.equilibrium.conditions[body];
+  return conditions(at)[body];
 }
 
 const creep::LawParameters& NearbyModel::law_parameters(std::size_t body, const creep::Evaluation& at) {
@@ -38,8 +43,7 @@ const creep::LawParameters& NearbyModel::law_parameters(std::size_t body, const 
 }
 
 contact::InterfaceLoad NearbyModel::load(const creep::Evaluation& at) {
-  model_.assembly.update(at.time, at_.equilibrium.conditions);
-  const std::vector<mechanics::BodyConditions>& here = at_.equilibrium.conditions;
+  const std::vector<mechanics::BodyConditions>& here = conditions(at);
   contact::InterfaceLoad load = rows_.initial_load(here.front().time, here);
   for (std::size_t b = 0; b < here.size(); ++b) rows_.add_resultant(b, here[b], load);
   return load;
@@ -64,17 +68,17 @@ std::vector<double> NearbyModel::displacement(std::size_t body, const creep::Eva
   return u;
 }
 
-std::vector<double> NearbyModel::stress(std::size_t body, const creep::Evaluation& at,
-                                        const mechanics::CreepStrainView& strain_change) {
+void NearbyModel::stress(std::size_t body, const creep::Evaluation& at, const mechanics::CreepStrainView& strain_change,
+                         std::vector<double>& into) {
   const mechanics::Discretization& discretization = model_.bodies()[body].discretization();
-  std::vector<double> stress(6 * discretization.n_points()), state;
+  std::vector<double> state;
   mechanics::CreepStrainView strain;
   if (!strain_change.empty()) {
     add(laws_.layout().part(body, std::span<const double>(at.y)), change_, strain_change.data, state);
     strain = {state, strain_change.stride};
   }
-  discretization.stress(displacement(body, at), conditions(body, at).elastic(), strain, stress);
-  return stress;
+  into.resize(6 * discretization.n_points());
+  discretization.stress(displacement(body, at), conditions(body, at).elastic(), strain, into);
 }
 
 void NearbyModel::rate(std::size_t body, const creep::Evaluation& at, std::span<double> rate) {

@@ -2,6 +2,7 @@
 /// A model with a little more or less of a value, in which nothing is solved: it is evaluated at states of the run.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "changed_values.hpp"
@@ -33,9 +34,9 @@ class NearbyModel {
   contact::InterfaceLoad load(const creep::Evaluation& at);
   /// Whether displacements of the run cause other stresses in this body than they do in the run, but for the state.
   bool stresses_differ(std::size_t body, const creep::Evaluation& at);
-  /// The stress that displacements of the run cause with its state changed, n_points x 6.
-  std::vector<double> stress(std::size_t body, const creep::Evaluation& at,
-                             const mechanics::CreepStrainView& strain_change);
+  /// The stress that displacements of the run cause with its state changed. @param into  n_points x 6
+  void stress(std::size_t body, const creep::Evaluation& at, const mechanics::CreepStrainView& strain_change,
+              std::vector<double>& into);
   /// The rate of the laws of a body in a state of the run, n_points x stride.
   void rate(std::size_t body, const creep::Evaluation& at, std::span<double> rate);
 
@@ -52,6 +53,8 @@ class NearbyModel {
 
  private:
   std::vector<double> displacement(std::size_t body, const creep::Evaluation& at);
+  /// conditions() of all bodies.
+  const std::vector<mechanics::BodyConditions>& conditions(const creep::Evaluation& at);
 
   double change_;  // of the value, relative to ChangedValue::change
   model::Model model_;
@@ -59,6 +62,7 @@ class NearbyModel {
   creep::BodyLaws laws_;
   contact::InterfaceRows rows_;
   creep::Evaluation at_;
+  std::optional<double> updated_to_;  // time of the conditions
 };
 
 }  // namespace creepcontact::run

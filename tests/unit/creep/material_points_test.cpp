@@ -64,6 +64,31 @@ TEST_P(Preconditioner, IsTheInverseOfTheLocalPart) {
   }
 }
 
+TEST_P(Preconditioner, IsMadeOfTangentsThatGiveTheDerivative) {
+  const Case blocks;
+  System system(blocks.config("", GetParam().overrides));
+  const std::vector<double> y(system.rate.size(), 0.0);
+  std::vector<double> rate(y.size());
+  system.rate.rate(0, y, rate);
+  const Evaluation& at = system.rate.step_evaluation();
+  const MaterialPoints points(system.model.bodies()[0]);
+  ASSERT_TRUE(points.has_closed_form());
+  std::mt19937 generator(4);
+  std::normal_distribution<double> number;
+  std::vector<double> stress(6 * points.size()), change(stress.size()), none(stress.size(), 0.0), exact(stress.size()),
+      found(stress.size());
+  for (double& component : stress) component = number(generator);
+  for (double& component : change) component = number(generator);
+  std::fill_n(stress.begin(), 6, 0.0);  // a point without stress
+  const PointsState state{at.laws[0], at.equilibrium.conditions[0].elastic(), stress, none};
+  std::vector<material::StressTangent> tangents(points.size());
+  points.tangents(state, tangents);
+  points.derivative(state, {change, none}, exact);
+  points.derivative_by_tangents(state, tangents, change, found);
+  for (std::size_t p = 0; p < points.size(); ++p)
+    ASSERT_LE((tensor::view(found, p) - tensor::view(exact, p)).norm(), 1e-14 * tensor::view(exact, p).norm()) << p;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Laws, Preconditioner,
     testing::Values(PreconditionerCase{"norton", {}}, PreconditionerCase{"linear", {"materials.soft.creep.0.n=1"}},

@@ -70,10 +70,36 @@ TEST(Kept, MeshesAndFactorsAreUsedAgain) {
   EXPECT_EQ(third, results({stiff}, nullptr).first);
   EXPECT_EQ(std::tuple(n_first, n_second, n_third), std::tuple(2, 0, 1));
   EXPECT_EQ(kept.meshes.n_read(), 1);
+  EXPECT_EQ(kept.meshes.n_coupled(), 1);
   results({"mesh.order=2"}, &kept);
   EXPECT_EQ(kept.meshes.n_read(), 2);
   results({"bodies.lower.region=\"lower\""}, &kept);  // the mesh of before is still there
   EXPECT_EQ(kept.meshes.n_read(), 2);
+  EXPECT_EQ(kept.meshes.n_coupled(), 2);
+}
+
+TEST(Kept, CouplingsAreUsedAgainWhereNothingOfThemHasChanged) {
+  const Case blocks;
+  Kept kept;
+  const auto results = [&](const std::string& change, Kept* with) {
+    std::vector<std::string> all = four_outputs;
+    all.push_back(change);
+    const config::Config config = blocks.config(pressure_probe, all);
+    ResultsInMemory memory(config);
+    const Summary summary = run(config, {.output = "", .writes_files = false, .kept = with, .observers = {&memory}});
+    EXPECT_EQ(summary.exit_status, 0) << change << ": " << summary.message;
+    return memory.probe_values();
+  };
+  for (const auto& [change, n_coupled] : {std::pair{"title=\"first\"", 1},
+                                          {"contacts.0.gap=1e-4", 1},
+                                          {"materials.soft.poisson_ratio=0.25", 1},
+                                          {"contacts.0.friction=0.2", 2},
+                                          {"contacts.0.slave=\"upper_bottom\"", 3},
+                                          {"title=\"second\"", 3},
+                                          {"supports.3.displacement={x=0, z=-0.02}", 4}}) {
+    EXPECT_EQ(results(change, &kept), results(change, nullptr)) << change;
+    EXPECT_EQ(kept.meshes.n_coupled(), n_coupled) << change;
+  }
 }
 
 }  // namespace
