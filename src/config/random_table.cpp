@@ -339,7 +339,7 @@ void check_random(Study& study, Diagnostics& errors) {
   for (auto key = random.keys.begin(); key != random.keys.end(); ++key) {
     const std::vector<std::string> parts = parts_of(key->key.name);
     if (parts.front() == "mesh")
-      errors.add(key->key.location, fmt::format("'{}': every sample would be a mesh of its own", key->key.name),
+      errors.add(key->key.location, fmt::format("'{}': every sample would have a mesh of its own", key->key.name),
                  "keys outside [mesh]; give meshes apart as runs with [[axes]], whose combinations all get the same "
                  "samples");
     if (parts.front() == "time" || parts.front() == "output")

@@ -1,5 +1,6 @@
 /// [sensitivity]
 
+#include "creepcontact/config/dotted_key.hpp"
 #include "table.hpp"
 #include "tables.hpp"
 
@@ -22,7 +23,7 @@ Value<Sensitivity> sensitivity_table() {
                          "one for each key");
     for (std::size_t k = 0; k < read.keys.size(); ++k)
       for (std::size_t other = 0; other < k; ++other)
-        if (read.keys[k].given() && read.keys[k].name == read.keys[other].name)
+        if (read.keys[k].given() && parts_of(read.keys[k].name) == parts_of(read.keys[other].name))
           context.errors.add(read.keys[k].location, fmt::format("'{}' is named twice", read.keys[k].name));
     return std::optional(std::move(read));
   });

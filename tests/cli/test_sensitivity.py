@@ -144,15 +144,19 @@ class Sensitivity(ProcessTest):
         for keys, facts in (
                 (["materials.steel.creep[0].B"], ("sensitivity.keys[0]", f"did you mean '{A}'")),
                 (["time.end"], ("'time.end'", "what describes the model")),
-                (["mesh.order"], ("'mesh.order'", "what describes the model")),
-                (["mesh.parameters.h"], ("'mesh.parameters.h'", "what describes the model")),
+                (["mesh.order"], ("'mesh.order'", "what the mesh is made of", "[[axes]]")),
+                (["mesh.parameters.h"], ("'mesh.parameters.h'", "what the mesh is made of")),
+                (["supports[0].displacement.x.values[4]"], ("part of the value of 'supports[0].displacement.x'",)),
                 (["bodies.cube.material"], ("is \"steel\"", "a number")),
                 (["supports[0].displacement.x"], ("is 0", "sensitivity.changes")),
                 ([A, A], ("named twice",)),
+                ([A, A.replace("[0]", " . 00")], ("named twice",)),
                 (["materials.steel.poisson_ratio", "nothing"], ("sensitivity.keys[1]", "'nothing'"))):
             done = self.call("check", "cube.toml", "--set", f"sensitivity.keys={json.dumps(keys)}")
             self.assertEqual(done.returncode, 2, keys)
             self.assertSays(done.stderr, *facts)
+        done = self.call("check", "cube.toml", "--set", f"sensitivity.keys={json.dumps([A.replace('[0]', ' . 00')])}")
+        self.assertEqual(done.returncode, 0, done.stderr)
         done = self.call("run", "cube.toml", "--output", "out", "--set", "sensitivity.changes=[1]")
         self.assertEqual(done.returncode, 2)
         self.assertSays(done.stderr, "1 changes of 4 keys", "one for each key")

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -34,13 +35,16 @@ std::optional<double> number_in(const std::string& text) {
   return value;
 }
 
-/// Why there are no derivatives with this key; empty: there are.
-/// @param key  with_dots()
-std::string obstacle(const std::string& key) {
-  for (const char* const table : {"mesh.", "time.", "output.", "contact_solver.", "linear_solver.", "report.",
-                                  "probes.", "events.", "criteria.", "surfaces.", "sensitivity."})
-    if (key.starts_with(table))
-      return "no result has a derivative with respect to it; allowed: what describes the model";
+using Parts = std::vector<std::string>;
+
+/// Why there are no derivatives with this key; empty: there are. @param key  its parts_of()
+std::string obstacle(const Parts& key) {
+  constexpr std::array without_derivative{"time",   "output", "contact_solver", "linear_solver", "report",
+                                          "probes", "events", "criteria",       "surfaces",      "sensitivity"};
+  if (key.front() == "mesh")
+    return "derivatives are not taken with respect to what the mesh is made of; compare runs of a study with [[axes]]";
+  if (std::ranges::find(without_derivative, key.front()) != without_derivative.end())
+    return "no result has a derivative with respect to it; allowed: what describes the model";
   return "";
 }
 
@@ -75,20 +79,32 @@ std::vector<ChangedValue> changed_values(const config::Config& config) {
   };
   if (const std::string why = obstacle(config); !why.empty()) add_error(wanted.keys.front(), why);
   const std::vector<config::ConfiguredValue> values = values_of(config);
+  std::vector<Parts> parts;
+  for (const config::ConfiguredValue& one : values) parts.push_back(config::parts_of(one.key));
   const std::string text = config::to_toml(config, vocabulary());
   std::vector<ChangedValue> result;
   for (std::size_t k = 0; k < wanted.keys.size(); ++k) {
     const config::Reference& reference = wanted.keys[k];
-    if (const std::string why = obstacle(config::with_dots(reference.name)); !why.empty()) {
+    const Parts wanted_parts = config::parts_of(reference.name);
+    if (const std::string why = obstacle(wanted_parts); !why.empty()) {
       add_error(reference, fmt::format("'{}': {}", reference.name, why));
       continue;
     }
-    const auto found = std::ranges::find(values, config::with_dots(reference.name),
-                                         [](const config::ConfiguredValue& one) { return config::with_dots(one.key); });
+    const auto found = values.begin() + (std::ranges::find(parts, wanted_parts) - parts.begin());
     if (found == values.end()) {
+      const auto whole =
+          std::ranges::find_if(parts, [&](const Parts& outer) { return config::is_within(wanted_parts, outer); });
+      if (whole != parts.end()) {
+        const std::string& key = values[static_cast<std::size_t>(whole - parts.begin())].key;
+        add_error(reference,
+                  fmt::format("'{}' is part of the value of '{}'; derivatives are taken with respect to keys "
+                              "whose value is a number",
+                              reference.name, key));
+        continue;
+      }
       std::vector<std::string> names;
-      for (const config::ConfiguredValue& one : values)
-        if (number_in(one.text) && obstacle(config::with_dots(one.key)).empty()) names.push_back(one.key);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (number_in(values[i].text) && obstacle(parts[i]).empty()) names.push_back(values[i].key);
       add_error(reference, fmt::format("this configuration has no value '{}'{}", reference.name,
                                        did_you_mean(reference.name, names)));
       continue;
