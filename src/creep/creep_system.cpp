@@ -111,7 +111,7 @@ CreepStrains CreepSystem::strains(double t, std::span<const double> y) {
   return {creep.bodies(), creep.closures(), temperatures_};
 }
 
-void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
+void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into, const CarriedChanges* carried) {
   into.valid = into.has_tangents = false;
   into.time = t;
   numerics::copy(y, into.y);
@@ -120,7 +120,7 @@ void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
     if (path_.contains(t))
       path_.solve(solver_, t, creep, into.equilibrium);
     else
-      solver_.solve(t, creep, history_, into.equilibrium);
+      solver_.solve(t, creep, history_, into.equilibrium, carried);
   } catch (const contact::SlidingOff& error) {
     // A trial state of the integrator may slide off where the solution does not.
     if (!has_friction() || t - history_.friction.time <= min_sliding_step * t) throw;
@@ -143,13 +143,13 @@ bool CreepSystem::is_at(double t, std::span<const double> y, const Evaluation& o
   return of.valid && of.time == t && !team().any(!numerics::equal(of.y, y));
 }
 
-const Evaluation& CreepSystem::evaluate_step(double t, std::span<const double> y) {
+const Evaluation& CreepSystem::evaluate_step(double t, std::span<const double> y, const CarriedChanges* carried) {
   t = load_time(t);
   if (is_at(t, y, step_)) return step_;
   if (is_at(t, y, output_))
     std::swap(step_, output_);
   else
-    solve(t, y, step_);
+    solve(t, y, step_, carried);
   return step_;
 }
 

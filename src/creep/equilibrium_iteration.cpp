@@ -71,11 +71,12 @@ void EquilibriumSolver::refactorize(const std::vector<mechanics::BodyConditions>
   ++factors_;
 }
 
-void EquilibriumSolver::solve(double t, CreepStrains creep, const History& history, Equilibrium& into) {
+void EquilibriumSolver::solve(double t, CreepStrains creep, const History& history, Equilibrium& into,
+                              const CarriedChanges* carried) {
   into.time = t;
   assembly_.update(t, into.conditions, creep.temperatures());
   resize(into);
-  equilibrate_yielding(creep, history, {}, into);
+  equilibrate_yielding(creep, history, {}, into, carried);
   if (history.friction.slip.size() > 0) into.friction = slip_until(into, history);
   into.largest_closure = history.gaskets.largest;
   if (into.largest_closure.size() > 0) into.largest_closure = into.largest_closure.cwiseMax(into.contact.closure);
@@ -102,8 +103,8 @@ void EquilibriumSolver::resize(Equilibrium& into) const {
 }
 
 void EquilibriumSolver::equilibrate_yielding(CreepStrains creep, const History& history, const Growth& growth,
-                                             Equilibrium& into) {
-  if (history.plastic.bodies.empty()) return equilibrate(creep, history, history.contact, growth, into);
+                                             Equilibrium& into, const CarriedChanges* carried) {
+  if (history.plastic.bodies.empty()) return equilibrate(creep, history, history.contact, growth, into, carried);
   PlasticFlow flow(assembly_, history.plastic, into.time, into.conditions, options_.plastic_tolerance, true,
                    growth.part);
   contact::ContactState from = history.contact;
@@ -115,20 +116,21 @@ void EquilibriumSolver::equilibrate_yielding(CreepStrains creep, const History& 
 }
 
 void EquilibriumSolver::equilibrate(CreepStrains creep, const History& history, const contact::ContactState& from,
-                                    const Growth& growth, Equilibrium& into) {
+                                    const Growth& growth, Equilibrium& into, const CarriedChanges* carried) {
   StiffnessChange change = stiffness_change(assembly_, interface_, into.conditions);
   if (change.rest > options_.refactor_change) {
     refactorize(into.conditions);
     change = {};
   }
-  if (!iterate(creep, history, from, growth, change.solved_with(solver_error_), into)) {
+  if (!iterate(creep, history, from, growth, change.solved_with(solver_error_), into, carried)) {
     refactorize(into.conditions);
-    iterate(creep, history, from, growth, StiffnessChange().solved_with(solver_error_), into);
+    iterate(creep, history, from, growth, StiffnessChange().solved_with(solver_error_), into, carried);
   }
 }
 
 bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, const contact::ContactState& begin,
-                                const Growth& growth, const StiffnessChange& stiffness, Equilibrium& into) {
+                                const Growth& growth, const StiffnessChange& stiffness, Equilibrium& into,
+                                const CarriedChanges* carried) {
   into.stiffness_scale = stiffness.scale;
   into.factors = factors_;
   const contact::InterfaceLoad given = start(creep, history, growth, stiffness, into);
@@ -139,7 +141,7 @@ bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, cons
   double before = std::numeric_limits<double>::infinity();
   std::optional<double> size;  // rarely needed
   for (int iteration = 0;; ++iteration) {
-    const double change = advance(given, from, creep, into);
+    const double change = advance(given, from, creep, into, carried);
     if (stiffness.rest <= exact) break;
     if (contraction * change <= options_.stress_tolerance * stress_norm(assembly_, into)) break;
     const bool is_stalled = change > stalled * before;
@@ -255,16 +257,21 @@ void EquilibriumSolver::solve_contact(const contact::InterfaceLoad& load, const 
 }
 
 double EquilibriumSolver::advance(const contact::InterfaceLoad& given, const contact::ContactState& from,
-                                  CreepStrains creep, Equilibrium& into) {
+                                  CreepStrains creep, Equilibrium& into, const CarriedChanges* carried) {
   if (into.stiffness_scale != 1)
     for (Work& work : work_) vector(work.right_hand_side) /= into.stiffness_scale;
-  forward();
+  std::vector<ChangeTask> with;
+  if (carried != nullptr) with = (*carried)(into);
+  clear_fixing_dofs(with);
+  forward(with);
   contact::InterfaceLoad load = given;
   for (std::size_t b = 0; b < into.displacements.size(); ++b)
     interface_.rows().add_gaps(b, into.displacements[b], load.gap);
   add_traces(load.gap);
   if (interface_.n_rows() > 0) solve_contact(load, from, into);
-  backward(into.contact.multiplier);
+  close_changes(into.contact.active, with);
+  backward(into.contact.multiplier, with);
+  finish_changes(with);
   const auto lap = watch_.lap(Part::material);
   const double change = iterates() ? change_norm(into.contact.multiplier) : 0;
   for (std::size_t b = 0; b < work_.size(); ++b) {

@@ -117,21 +117,32 @@ void EquilibriumSolver::add_traces(Eigen::VectorXd& gap) {
   for (std::size_t b = 0; b < work_.size(); ++b) interface_.flexibility().add_trace(b, work_[b].factored, gap);
 }
 
-void EquilibriumSolver::forward() {
+void EquilibriumSolver::forward(std::span<const ChangeTask> with) {
   const auto lap = watch_.lap(Part::solve);
+  if (!with.empty()) {
+    std::vector<linalg::SeveralSubstitutions> passes = passes_of(with);
+    for (std::size_t b = 0; b < work_.size(); ++b)
+      passes[b].vectors.push_back({work_[b].right_hand_side, work_[b].factored});
+    return linalg::pass_several(linalg::PassDirection::forward, passes);
+  }
   std::vector<linalg::Substitution> substitutions;
   for (std::size_t b = 0; b < work_.size(); ++b)
     substitutions.push_back({&interface_.factored(b).solver(), work_[b].right_hand_side, work_[b].factored});
   linalg::forward(substitutions);
 }
 
-void EquilibriumSolver::backward(const Eigen::VectorXd& multiplier) {
+void EquilibriumSolver::backward(const Eigen::VectorXd& multiplier, std::span<const ChangeTask> with) {
   {
     const auto lap = watch_.lap(Part::contact);
     for (std::size_t b = 0; b < work_.size(); ++b)
       interface_.flexibility().add_multipliers(b, multiplier, work_[b].factored);
   }
   const auto lap = watch_.lap(Part::solve);
+  if (!with.empty()) {
+    std::vector<linalg::SeveralSubstitutions> passes = passes_of(with);
+    for (std::size_t b = 0; b < work_.size(); ++b) passes[b].vectors.push_back({work_[b].factored, work_[b].free});
+    return linalg::pass_several(linalg::PassDirection::backward, passes);
+  }
   std::vector<linalg::Substitution> substitutions;
   for (std::size_t b = 0; b < work_.size(); ++b)
     substitutions.push_back({&interface_.factored(b).solver(), work_[b].factored, work_[b].free});

@@ -110,58 +110,71 @@ bool EquilibriumSolver::is_piecewise_linear() const {
   return !iterates() && !yields && !interface_.problem().has_friction() && !interface_.problem().has_gaskets();
 }
 
-void EquilibriumSolver::changes(const Equilibrium& at, std::vector<EquationChange>& of,
-                                std::vector<EquilibriumChange>& into) {
+std::vector<linalg::SeveralSubstitutions> EquilibriumSolver::passes_of(std::span<const ChangeTask> tasks) {
   std::vector<linalg::SeveralSubstitutions> passes;
   for (std::size_t b = 0; b < work_.size(); ++b) {
     passes.push_back({&interface_.factored(b).solver(), {}});
-    for (EquationChange& change : of) {
-      assembly_.bodies()[b].clear_fixing_dofs(change.forces[b]);
-      passes.back().vectors.push_back({change.forces[b], change.forces[b]});
+    for (const ChangeTask& task : tasks) {
+      std::vector<double>& forces = task.equations->forces[b];
+      passes.back().vectors.push_back({forces, forces});
     }
   }
-  {
-    const auto lap = watch_.lap(Part::solve);
-    linalg::pass_several(linalg::PassDirection::forward, passes);
+  return passes;
+}
+
+void EquilibriumSolver::clear_fixing_dofs(std::span<const ChangeTask> tasks) const {
+  for (const ChangeTask& task : tasks)
+    for (std::size_t b = 0; b < work_.size(); ++b) assembly_.bodies()[b].clear_fixing_dofs(task.equations->forces[b]);
+}
+
+void EquilibriumSolver::close_changes(const std::vector<int>& active, std::span<const ChangeTask> tasks) {
+  const auto lap = watch_.lap(Part::contact);
+  for (const auto& [equations, change] : tasks) {
+    contact::ContactLoad load{equations->gap, assembly_.rigid_body_modes().held().transpose() * equations->work};
+    for (std::size_t b = 0; b < work_.size(); ++b)
+      interface_.flexibility().add_trace(b, equations->forces[b], load.gap);
+    contact::ContactState contact;
+    if (interface_.n_rows() > 0) contact = active_set_.solve(active, load).state;
+    for (std::size_t b = 0; b < work_.size(); ++b)
+      interface_.flexibility().add_multipliers(b, contact.multiplier, equations->forces[b]);
+    change->multiplier = std::move(contact.multiplier);
+    change->rigid = std::move(contact.rigid);
   }
-  into.resize(of.size());
-  {
-    const auto lap = watch_.lap(Part::contact);
-    for (std::size_t k = 0; k < of.size(); ++k) {
-      contact::ContactLoad load{of[k].gap, assembly_.rigid_body_modes().held().transpose() * of[k].work};
-      for (std::size_t b = 0; b < work_.size(); ++b) interface_.flexibility().add_trace(b, of[k].forces[b], load.gap);
-      contact::ContactState change;
-      if (interface_.n_rows() > 0) change = active_set_.solve(at.contact.active, load).state;
-      for (std::size_t b = 0; b < work_.size(); ++b)
-        interface_.flexibility().add_multipliers(b, change.multiplier, of[k].forces[b]);
-      into[k].multiplier = std::move(change.multiplier);
-      into[k].rigid = std::move(change.rigid);
-    }
-  }
-  {
-    const auto lap = watch_.lap(Part::solve);
-    linalg::pass_several(linalg::PassDirection::backward, passes);
-  }
+}
+
+void EquilibriumSolver::finish_changes(std::span<const ChangeTask> tasks) {
   const auto lap = watch_.lap(Part::material);
-  for (std::size_t k = 0; k < of.size(); ++k) {
-    EquilibriumChange& change = into[k];
-    change.displacement.resize(work_.size());
-    change.stress.resize(work_.size());
-    change.gap = of[k].gap;
-    if (change.rigid.size() > 0) change.gap += interface_.problem().rigid * change.rigid;
+  for (const auto& [equations, change] : tasks) {
+    change->displacement.resize(work_.size());
+    change->stress.resize(work_.size());
+    change->gap = equations->gap;
+    if (change->rigid.size() > 0) change->gap += interface_.problem().rigid * change->rigid;
     for (std::size_t b = 0; b < work_.size(); ++b) {
       const mechanics::FactoredBody& factored = interface_.factored(b);
       const mechanics::Body& body = factored.body();
-      interface_.rows().add_gaps(b, of[k].forces[b], change.gap);
-      change.displacement[b].resize(work_[b].no_displacement.size());
-      body.constraints().expand(of[k].forces[b], work_[b].no_displacement, change.displacement[b]);
-      interface_.rows().add_rigid_motion(b, change.rigid, change.displacement[b]);
-      change.stress[b].resize(6 * body.discretization().n_points());
-      body.discretization().stress(change.displacement[b], factored.elastic(), of[k].strain[b], change.stress[b]);
-      if (!of[k].stress[b].empty()) vector(change.stress[b]) += vector(of[k].stress[b]);
+      interface_.rows().add_gaps(b, equations->forces[b], change->gap);
+      change->displacement[b].resize(work_[b].no_displacement.size());
+      body.constraints().expand(equations->forces[b], work_[b].no_displacement, change->displacement[b]);
+      interface_.rows().add_rigid_motion(b, change->rigid, change->displacement[b]);
+      change->stress[b].resize(6 * body.discretization().n_points());
+      body.discretization().stress(change->displacement[b], factored.elastic(), equations->strain[b],
+                                   change->stress[b]);
+      if (!equations->stress[b].empty()) vector(change->stress[b]) += vector(equations->stress[b]);
     }
   }
-  counters_.elastic_solves += std::ssize(of);
+  counters_.elastic_solves += std::ssize(tasks);
+}
+
+void EquilibriumSolver::changes(const Equilibrium& at, std::span<const ChangeTask> tasks) {
+  clear_fixing_dofs(tasks);
+  const auto pass = [&](linalg::PassDirection direction) {
+    const auto lap = watch_.lap(Part::solve);
+    linalg::pass_several(direction, passes_of(tasks));
+  };
+  pass(linalg::PassDirection::forward);
+  close_changes(at.contact.active, tasks);
+  pass(linalg::PassDirection::backward);
+  finish_changes(tasks);
 }
 
 }  // namespace creepcontact::creep

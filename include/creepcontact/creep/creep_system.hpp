@@ -119,7 +119,8 @@ class CreepSystem final : public ode::System,
   const Evaluation& evaluate_result(double t, std::span<const double> y);
   /// The evaluation at (t, y) for steps: reused if the last one was at the same point, else solved.
   /// @throws RecoverableError if no equilibrium is found
-  const Evaluation& evaluate_step(double t, std::span<const double> y);
+  /// @param carried  as EquilibriumSolver::solve(); not made if nothing is solved
+  const Evaluation& evaluate_step(double t, std::span<const double> y, const CarriedChanges* carried = nullptr);
   /// The rate in the state of an evaluation, which makes it no evaluation for steps. Cost: of the laws
   std::vector<double> rate_of(const Evaluation& at) const;
   /// How much the rate would differ at another time in the state y that was accepted at `from`: the largest component
@@ -181,7 +182,7 @@ class CreepSystem final : public ode::System,
                                  std::span<const double> y) const;
 
  private:
-  void solve(double t, std::span<const double> y, Evaluation& into);
+  void solve(double t, std::span<const double> y, Evaluation& into, const CarriedChanges* carried = nullptr);
   /// The creep strains in y, or in a change of it; valid until the next call.
   CreepStrains strains(std::span<const double> y);
   /// Creep strains and temperatures of a state at time t.

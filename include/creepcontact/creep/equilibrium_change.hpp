@@ -2,6 +2,7 @@
 /// First-order changes of an equilibrium: what changes its equations, and how it follows while what is closed stays
 /// closed. Plain values.
 
+#include <functional>
 #include <vector>
 
 #include "creepcontact/base/index.hpp"
@@ -27,5 +28,15 @@ struct EquilibriumChange {
   Eigen::VectorXd multiplier, rigid;              ///< as in ContactState
   Eigen::VectorXd gap;                            ///< weighted gaps of all rows
 };
+
+/// A change that is wanted, and where it goes: memory of an earlier one, or new.
+struct ChangeTask {
+  EquationChange* equations;  ///< its forces are overwritten
+  EquilibriumChange* change;
+};
+
+/// Changes of an equilibrium that is being solved, by its own passes. It is called when time and conditions of the
+/// equilibrium are known, and nothing else of it.
+using CarriedChanges = std::function<std::vector<ChangeTask>(const Equilibrium& begun)>;
 
 }  // namespace creepcontact::creep

@@ -66,7 +66,9 @@ class EquilibriumSolver {
   /// contact holds, or drive an unconstrained motion
   /// Cost: one forward and one back substitution per body; several if the stiffness changes, the solver is not direct,
   /// or points yield (PlasticFlow). Source: Stankevich (2012), steps 8-11 of the implicit scheme.
-  void solve(double t, CreepStrains creep, const History& history, Equilibrium& into);
+  /// @param carried  changes() of the same equilibrium, of a model that is_piecewise_linear(); or null
+  void solve(double t, CreepStrains creep, const History& history, Equilibrium& into,
+             const CarriedChanges* carried = nullptr);
 
   /// How far the loads of t would change the stress beyond yielding if creep and plastic strains stayed as they are:
   /// the largest change of the equivalent stress since the last accepted step, relative to the yield stress; 0 if
@@ -87,8 +89,7 @@ class EquilibriumSolver {
   /// share their passes. @param at  of a model that is_piecewise_linear()
   /// @throws SolverError as ActiveSetSystem::solve()
   /// Cost: a forward and a back substitution per body for all of them, and an element loop for each
-  /// @param of  its forces are overwritten @param into  of an earlier call, or new
-  void changes(const Equilibrium& at, std::vector<EquationChange>& of, std::vector<EquilibriumChange>& into);
+  void changes(const Equilibrium& at, std::span<const ChangeTask> tasks);
   /// Whether an equilibrium depends on loads and strains alone, and is linear in them while its set of closed rows is
   /// the same: no friction, no gaskets, no yielding, a direct solver, and a stiffness that is constant in time.
   bool is_piecewise_linear() const;
@@ -177,12 +178,13 @@ class EquilibriumSolver {
   };
   /// The equilibrium under the conditions of `into`. Nothing yields. @param from  start of the contact iteration
   void equilibrate(CreepStrains creep, const History& history, const contact::ContactState& from, const Growth& growth,
-                   Equilibrium& into);
+                   Equilibrium& into, const CarriedChanges* carried = nullptr);
   /// equilibrate() with the plastic strains that belong to it, where the history has some.
-  void equilibrate_yielding(CreepStrains creep, const History& history, const Growth& growth, Equilibrium& into);
+  void equilibrate_yielding(CreepStrains creep, const History& history, const Growth& growth, Equilibrium& into,
+                            const CarriedChanges* carried = nullptr);
   /// @returns false if the iteration stalls before it converges, which only round-off can cause
   bool iterate(CreepStrains creep, const History& history, const contact::ContactState& begin, const Growth& growth,
-               const StiffnessChange& change, Equilibrium& into);
+               const StiffnessChange& change, Equilibrium& into, const CarriedChanges* carried = nullptr);
   /// Right-hand sides of the first iteration, which starts from the displacements extrapolated from the last accepted
   /// steps, or from zero. @returns the load without the gaps that the right-hand sides open
   contact::InterfaceLoad start(CreepStrains creep, const History& history, const Growth& growth,
@@ -222,7 +224,7 @@ class EquilibriumSolver {
   void resize(Equilibrium& into) const;
   /// One elastic solve. @returns change of the displacement in the energy norm
   double advance(const contact::InterfaceLoad& given, const contact::ContactState& from, CreepStrains creep,
-                 Equilibrium& into);
+                 Equilibrium& into, const CarriedChanges* carried);
   /// Displacement and stress of a body from its free dofs.
   void update_state(std::size_t body, std::span<const double> free, const Eigen::VectorXd& rigid,
                     const mechanics::CreepStrainView& creep, Equilibrium& into) const;
@@ -243,7 +245,8 @@ class EquilibriumSolver {
   Eigen::VectorXd initial_gaps(double t) const;
   /// Weighted gaps of all rows from the interferences of preloads.
   Eigen::VectorXd interference_gaps(const std::vector<double>& interference) const;
-  void forward();
+  /// @param with  changes, which make the same pass
+  void forward(std::span<const ChangeTask> with = {});
   /// Energy norm of the displacements that backward() left, for the right-hand sides and these multipliers.
   double change_norm(const Eigen::VectorXd& multiplier) const;
   /// gap += the traces of the displacements that forward() left in terms of the factors.
@@ -251,7 +254,15 @@ class EquilibriumSolver {
   /// The change of contact with these gaps while what is closed stays closed.
   contact::ContactState contact_change(const contact::ContactState& at, const Eigen::VectorXd& gap);
   void solve_contact(const contact::InterfaceLoad& load, const contact::ContactState& from, Equilibrium& into);
-  void backward(const Eigen::VectorXd& multiplier);
+  void backward(const Eigen::VectorXd& multiplier, std::span<const ChangeTask> with = {});
+  // The parts of changes(), between passes.
+  /// For each body the forces of all changes.
+  std::vector<linalg::SeveralSubstitutions> passes_of(std::span<const ChangeTask> tasks);
+  void clear_fixing_dofs(std::span<const ChangeTask> tasks) const;
+  /// Contact, between the passes. @param active  closed rows
+  void close_changes(const std::vector<int>& active, std::span<const ChangeTask> tasks);
+  /// Displacements and stresses, after the passes.
+  void finish_changes(std::span<const ChangeTask> tasks);
 
   const Assembly& assembly_;
   SolverOptions options_;

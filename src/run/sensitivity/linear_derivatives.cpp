@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "creepcontact/linalg/dense.hpp"
@@ -55,7 +56,9 @@ LinearDerivatives::LinearDerivatives(const std::vector<ChangedValue>& values, cr
       solver_(solver),
       watch_(watch),
       models_(std::move(models)),
-      interference_(values.size(), std::vector<double>(solver.assembly().pairs().size(), 0.0)) {}
+      interference_(values.size(), std::vector<double>(solver.assembly().pairs().size(), 0.0)),
+      equations_(values.size()),
+      changes_(values.size()) {}
 
 Eigen::VectorXd LinearDerivatives::gap_of(const contact::Pair& pair) const {
   Eigen::VectorXd gap = Eigen::VectorXd::Zero(solver_.interface().n_rows());
@@ -63,8 +66,14 @@ Eigen::VectorXd LinearDerivatives::gap_of(const contact::Pair& pair) const {
   return gap;
 }
 
-void LinearDerivatives::equations(std::size_t k, const creep::Evaluation& at, std::span<const double> state_change,
-                                  creep::EquationChange& change) {
+bool LinearDerivatives::follows_displacements(std::size_t k, const creep::Equilibrium& at) const {
+  for (std::size_t b = 0; b < solver_.assembly().bodies().size(); ++b)
+    if (more(k).stresses_differ(b, at) || less(k).stresses_differ(b, at)) return true;
+  return false;
+}
+
+void LinearDerivatives::equations(std::size_t k, const creep::Equilibrium& at, const creep::Evaluation* solved,
+                                  std::span<const double> state_change, creep::EquationChange& change) {
   const auto lap = watch_.lap(Part::material);
   NearbyModel &with_more = more(k), &with_less = less(k);
   const contact::InterfaceLoad load = with_more.load(at), opposite = with_less.load(at);
@@ -78,9 +87,9 @@ void LinearDerivatives::equations(std::size_t k, const creep::Evaluation& at, st
     const mechanics::Body& body = factored.body();
     std::vector<double>& forces = change.forces[b];
     forces.resize(static_cast<std::size_t>(body.constraints().n_free()));
-    if (with_more.stresses_differ(b, at) || with_less.stresses_differ(b, at)) {
-      with_more.stress(b, at, change.strain[b], change.stress[b]);
-      with_less.stress(b, at, change.strain[b], opposite_);
+    if (solved != nullptr && (with_more.stresses_differ(b, at) || with_less.stresses_differ(b, at))) {
+      with_more.stress(b, *solved, change.strain[b], change.stress[b]);
+      with_less.stress(b, *solved, change.strain[b], opposite_);
       replace_by_difference(change.stress[b], opposite_);
       change.strain[b] = {};
       body.residual({}, change.stress[b], forces);
@@ -99,10 +108,20 @@ void LinearDerivatives::equations(std::size_t k, const creep::Evaluation& at, st
 
 const std::vector<creep::EquilibriumChange>& LinearDerivatives::respond(const creep::Evaluation& at,
                                                                         std::span<const double> whole) {
-  equations_.resize(values().size());
-  for (std::size_t k = 0; k < values().size(); ++k) equations(k, at, block(whole, k + 1), equations_[k]);
-  solver_.changes(at.equilibrium, equations_, changes_);
+  std::vector<std::size_t> all(values().size());
+  std::iota(all.begin(), all.end(), 0);
+  respond(all, at, whole);
   return changes_;
+}
+
+void LinearDerivatives::respond(std::span<const std::size_t> to, const creep::Evaluation& at,
+                                std::span<const double> whole) {
+  std::vector<creep::ChangeTask> tasks;
+  for (const std::size_t k : to) {
+    equations(k, at.equilibrium, &at, block(whole, k + 1), equations_[k]);
+    tasks.push_back(task(k));
+  }
+  solver_.changes(at.equilibrium, tasks);
 }
 
 bool LinearDerivatives::laws_differ(std::size_t k, std::size_t body, const creep::Evaluation& at) const {
@@ -110,15 +129,33 @@ bool LinearDerivatives::laws_differ(std::size_t k, std::size_t body, const creep
   const std::string &key = values()[k].key, &material = solver_.assembly().bodies()[body].material().name;
   if (key.starts_with("bodies.") || key.starts_with(fmt::format("materials.{}.", material))) return true;
   if (key.starts_with("materials.\"")) return true;  // a name in quotes
-  const creep::LawParameters &with_more = more(k).law_parameters(body, at),
-                             &with_less = less(k).law_parameters(body, at);
+  const creep::LawParameters &with_more = more(k).law_parameters(body, at.equilibrium),
+                             &with_less = less(k).law_parameters(body, at.equilibrium);
   return with_more.values != with_less.values || with_more.temperature != with_less.temperature;
 }
 
+const creep::Evaluation& LinearDerivatives::evaluate_with_changes(double t, std::span<const double> whole) {
+  std::vector<std::size_t> rest(values().size());  // all of them, where nothing has to be solved
+  std::iota(rest.begin(), rest.end(), 0);
+  const creep::CarriedChanges carried = [&](const creep::Equilibrium& begun) {
+    std::vector<creep::ChangeTask> tasks;
+    std::erase_if(rest, [&](std::size_t k) {
+      if (follows_displacements(k, begun)) return false;
+      equations(k, begun, nullptr, block(whole, k + 1), equations_[k]);
+      tasks.push_back(task(k));
+      return true;
+    });
+    return tasks;
+  };
+  const creep::Evaluation& at = base().evaluate_step(t, block(whole, 0), &carried);
+  if (!rest.empty()) respond(rest, at, whole);
+  return at;
+}
+
 void LinearDerivatives::rate(double t, std::span<const double> whole, std::span<double> rate) {
+  const creep::Evaluation& at = evaluate_with_changes(t, whole);
   base().rate(t, block(whole, 0), block(rate, 0));
-  const creep::Evaluation& at = base().evaluate_step(t, block(whole, 0));
-  const std::vector<creep::EquilibriumChange>& changes = respond(at, whole);
+  const std::vector<creep::EquilibriumChange>& changes = changes_;
   const auto lap = watch_.lap(Part::material);
   const creep::BodyLaws& laws = base().laws();
   std::vector<double> with_more, with_less;
@@ -183,7 +220,8 @@ void LinearDerivatives::pass_breakpoint(double t, std::span<const double> whole)
   const auto n = static_cast<Index>(due.size()), n_values = static_cast<Index>(values().size());
   const creep::Evaluation& at = base().evaluate_output(t, block(whole, 0));
   std::vector<creep::EquationChange> equations_of;
-  for (std::size_t k = 0; k < values().size(); ++k) equations(k, at, block(whole, k + 1), equations_of.emplace_back());
+  for (std::size_t k = 0; k < values().size(); ++k)
+    equations(k, at.equilibrium, &at, block(whole, k + 1), equations_of.emplace_back());
   Eigen::MatrixXd gaps(solver_.interface().n_rows(), n);
   for (Index q = 0; q < n; ++q) {
     creep::EquationChange& change = equations_of.emplace_back();
@@ -195,8 +233,10 @@ void LinearDerivatives::pass_breakpoint(double t, std::span<const double> whole)
     change.stress.resize(change.forces.size());
     change.strain.resize(change.forces.size());
   }
-  std::vector<creep::EquilibriumChange> changes;
-  solver_.changes(at.equilibrium, equations_of, changes);
+  std::vector<creep::EquilibriumChange> changes(equations_of.size());
+  std::vector<creep::ChangeTask> tasks;
+  for (std::size_t i = 0; i < changes.size(); ++i) tasks.push_back({&equations_of[i], &changes[i]});
+  solver_.changes(at.equilibrium, tasks);
   Eigen::MatrixXd forces(n, n_values), missing(n, n_values), stiffness(n, n);
   for (Index k = 0; k < n_values; ++k) {
     const auto number = static_cast<std::size_t>(k);

@@ -38,12 +38,22 @@ class LinearDerivatives final : public Derivatives {
  private:
   NearbyModel& more(std::size_t k) const { return *models_[2 * k]; }
   NearbyModel& less(std::size_t k) const { return *models_[2 * k + 1]; }
+  /// Whether what changes with value k in the equations depends on the displacements. @param at  its time and
+  /// conditions
+  bool follows_displacements(std::size_t k, const creep::Equilibrium& at) const;
   /// What changes with value k in the equations of the equilibrium, at the displacements of the run.
+  /// @param at  of which time and conditions are known @param solved  all of it, if the value follows_displacements()
   /// @param change  of an earlier call, or new
-  void equations(std::size_t k, const creep::Evaluation& at, std::span<const double> state_change,
-                 creep::EquationChange& change);
+  void equations(std::size_t k, const creep::Equilibrium& at, const creep::Evaluation* solved,
+                 std::span<const double> state_change, creep::EquationChange& change);
+  /// Memory for value k.
+  creep::ChangeTask task(std::size_t k) { return {&equations_[k], &changes_[k]}; }
   /// The changes of the equilibrium with all values, up to the next call.
   const std::vector<creep::EquilibriumChange>& respond(const creep::Evaluation& at, std::span<const double> whole);
+  void respond(std::span<const std::size_t> to, const creep::Evaluation& at, std::span<const double> whole);
+  /// The evaluation of the run for steps, and with it the changes of its equilibrium with all values: those that do
+  /// not follow_displacements() make the passes of the equilibrium.
+  const creep::Evaluation& evaluate_with_changes(double t, std::span<const double> whole);
   /// Whether the laws of a body may have other rates in the same state.
   bool laws_differ(std::size_t k, std::size_t body, const creep::Evaluation& at) const;
   bool opens_or_closes(const creep::Equilibrium& at, const creep::EquilibriumChange& change) const;

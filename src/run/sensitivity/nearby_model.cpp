@@ -27,30 +27,30 @@ NearbyModel::NearbyModel(const config::Config& config, double sign, Kept& kept, 
   at_.equilibrium.bodies.resize(model_.bodies().size());
 }
 
-const std::vector<mechanics::BodyConditions>& NearbyModel::conditions(const creep::Evaluation& at) {
+const std::vector<mechanics::BodyConditions>& NearbyModel::conditions(const creep::Equilibrium& at) {
   if (updated_to_ != at.time) model_.assembly.update(at.time, at_.equilibrium.conditions);
   updated_to_ = at.time;
   return at_.equilibrium.conditions;
 }
 
-const mechanics::BodyConditions& NearbyModel::conditions(std::size_t body, const creep::Evaluation& at) {
+const mechanics::BodyConditions& NearbyModel::conditions(std::size_t body, const creep::Equilibrium& at) {
   return conditions(at)[body];
 }
 
-const creep::LawParameters& NearbyModel::law_parameters(std::size_t body, const creep::Evaluation& at) {
+const creep::LawParameters& NearbyModel::law_parameters(std::size_t body, const creep::Equilibrium& at) {
   laws_.points()[body].update(conditions(body, at), at_.laws[body]);
   return at_.laws[body];
 }
 
-contact::InterfaceLoad NearbyModel::load(const creep::Evaluation& at) {
+contact::InterfaceLoad NearbyModel::load(const creep::Equilibrium& at) {
   const std::vector<mechanics::BodyConditions>& here = conditions(at);
   contact::InterfaceLoad load = rows_.initial_load(here.front().time, here);
   for (std::size_t b = 0; b < here.size(); ++b) rows_.add_resultant(b, here[b], load);
   return load;
 }
 
-bool NearbyModel::stresses_differ(std::size_t body, const creep::Evaluation& at) {
-  const mechanics::BodyConditions &own = conditions(body, at), &of_run = at.equilibrium.conditions[body];
+bool NearbyModel::stresses_differ(std::size_t body, const creep::Equilibrium& at) {
+  const mechanics::BodyConditions &own = conditions(body, at), &of_run = at.conditions[body];
   const auto inner = [](const mechanics::BodyConditions& of) { return of.elastic().inner_force; };
   const auto same_moduli = [](const material::Moduli& a, const material::Moduli& b) {
     return a.lambda == b.lambda && a.mu == b.mu;
@@ -63,7 +63,8 @@ bool NearbyModel::stresses_differ(std::size_t body, const creep::Evaluation& at)
 /// That of the run, with the prescribed displacements of this model.
 std::vector<double> NearbyModel::displacement(std::size_t body, const creep::Evaluation& at) {
   std::vector<double> u = at.equilibrium.bodies[body].displacement;
-  const std::vector<double>&own = conditions(body, at).prescribed, &of_run = at.equilibrium.conditions[body].prescribed;
+  const std::vector<double>&own = conditions(body, at.equilibrium).prescribed,
+        &of_run = at.equilibrium.conditions[body].prescribed;
   for (std::size_t i = 0; i < own.size(); ++i) u[i] += own[i] - of_run[i];
   return u;
 }
@@ -78,11 +79,11 @@ void NearbyModel::stress(std::size_t body, const creep::Evaluation& at, const me
     strain = {state, strain_change.stride};
   }
   into.resize(6 * discretization.n_points());
-  discretization.stress(displacement(body, at), conditions(body, at).elastic(), strain, into);
+  discretization.stress(displacement(body, at), conditions(body, at.equilibrium).elastic(), strain, into);
 }
 
 void NearbyModel::rate(std::size_t body, const creep::Evaluation& at, std::span<double> rate) {
-  laws_.points()[body].rate({law_parameters(body, at),
+  laws_.points()[body].rate({law_parameters(body, at.equilibrium),
                              {},
                              at.equilibrium.bodies[body].stress,
                              laws_.layout().part(body, std::span<const double>(at.y))},
@@ -92,7 +93,7 @@ void NearbyModel::rate(std::size_t body, const creep::Evaluation& at, std::span<
 bool NearbyModel::starts_singular(const creep::Evaluation& at) {
   bool is_singular = false;
   laws_.for_each_creeping([&](std::size_t b, const creep::MaterialPoints& points) {
-    const creep::PointsState state{law_parameters(b, at),
+    const creep::PointsState state{law_parameters(b, at.equilibrium),
                                    {},
                                    at.equilibrium.bodies[b].stress,
                                    laws_.layout().part(b, std::span<const double>(at.y))};
@@ -105,7 +106,7 @@ void NearbyModel::place(const creep::Evaluation& at, const creep::EquilibriumCha
                         std::span<const double> state_change) {
   add(at.y, change_, state_change, at_.y);
   for (std::size_t b = 0; b < change.stress.size(); ++b) {
-    laws_.points()[b].update(conditions(b, at), at_.laws[b]);
+    laws_.points()[b].update(conditions(b, at.equilibrium), at_.laws[b]);
     add(at.equilibrium.bodies[b].stress, change_, change.stress[b], at_.equilibrium.bodies[b].stress);
   }
 }

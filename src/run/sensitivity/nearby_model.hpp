@@ -27,13 +27,13 @@ class NearbyModel {
   const creep::BodyLaws& laws() const { return laws_; }
   std::span<const std::unique_ptr<results::Probe>> probes() const { return probes_; }
 
-  // All of these are at the time of an evaluation of the run.
-  const mechanics::BodyConditions& conditions(std::size_t body, const creep::Evaluation& at);
-  const creep::LawParameters& law_parameters(std::size_t body, const creep::Evaluation& at);
+  // All of these are at the time of an equilibrium of the run, of which the first ones need time and conditions alone.
+  const mechanics::BodyConditions& conditions(std::size_t body, const creep::Equilibrium& at);
+  const creep::LawParameters& law_parameters(std::size_t body, const creep::Equilibrium& at);
   /// Gaps and work of external forces that do not depend on displacements of free unknowns.
-  contact::InterfaceLoad load(const creep::Evaluation& at);
+  contact::InterfaceLoad load(const creep::Equilibrium& at);
   /// Whether displacements of the run cause other stresses in this body than they do in the run, but for the state.
-  bool stresses_differ(std::size_t body, const creep::Evaluation& at);
+  bool stresses_differ(std::size_t body, const creep::Equilibrium& at);
   /// The stress that displacements of the run cause with its state changed. @param into  n_points x 6
   void stress(std::size_t body, const creep::Evaluation& at, const mechanics::CreepStrainView& strain_change,
               std::vector<double>& into);
@@ -54,7 +54,7 @@ class NearbyModel {
  private:
   std::vector<double> displacement(std::size_t body, const creep::Evaluation& at);
   /// conditions() of all bodies.
-  const std::vector<mechanics::BodyConditions>& conditions(const creep::Evaluation& at);
+  const std::vector<mechanics::BodyConditions>& conditions(const creep::Equilibrium& at);
 
   double change_;  // of the value, relative to ChangedValue::change
   model::Model model_;
