@@ -80,6 +80,7 @@ std::vector<ChangedValue> changed_values(const config::Config& config) {
   if (const std::string why = obstacle(config); !why.empty()) add_error(wanted.keys.front(), why);
   const std::vector<config::ConfiguredValue> values = values_of(config);
   std::vector<Parts> parts;
+  parts.reserve(values.size());
   for (const config::ConfiguredValue& one : values) parts.push_back(config::parts_of(one.key));
   const std::string text = config::to_toml(config, vocabulary());
   std::vector<ChangedValue> result;

@@ -112,6 +112,30 @@ TEST(ResumeTwice, LeavesTheStepsOfTheUninterruptedRun) {
   EXPECT_GT(Table(whole / "steps.csv").rows(), 60);
 }
 
+/// A long state is not copied at every step: what a failure loses is made again.
+TEST(ResumeAfterFailure, OfALongStateEndsAsTheUninterruptedRun) {
+  std::string fine = separate_blocks();
+  const std::string coarse = "Transfinite Curve{1:24} = 3;";
+  fine.replace(fine.find(coarse), coarse.size(), "Transfinite Curve{1:24} = 10;");
+  const Case blocks(fine);
+  const config::Config config =
+      blocks.config(pressure_probe, {"time.output=[0.5, 1, 1.6, 3]", "time.tolerance=1e-3", "output.fields=[1.6]"});
+  ASSERT_GT(System(config).rate.size(), 20000U);
+  const std::filesystem::path whole = blocks / "whole", parts = blocks / "parts";
+  ASSERT_EQ(run(config, {.output = whole.string()}).exit_status, 0);
+  struct Failing final : Observer {
+    void output(StepView& view) override {
+      if (view.time() == 3) throw SolverError("late");
+    }
+  } failing;
+  EXPECT_EQ(run(config, {.output = parts.string(), .observers = {&failing}}).exit_status, 4);
+  EXPECT_EQ(Table(parts / "history.csv").times().back(), 3);
+  const Summary resumed = run(config, {.output = parts.string(), .resume = true});
+  ASSERT_EQ(resumed.exit_status, 0) << resumed.message;
+  for (const char* file : {"history.csv", "steps.csv", "fields.pvd"})
+    EXPECT_EQ(read_text(parts / file), read_text(whole / file)) << file;
+}
+
 TEST(ResumeAtOnce, FromAnInterruptionBeforeTheFirstStep) {
   const Case blocks;
   const config::Config config = blocks.config(pressure_probe, {"time.output=[1]"});
