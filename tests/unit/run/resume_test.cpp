@@ -132,8 +132,9 @@ TEST(ResumeAfterFailure, OfALongStateEndsAsTheUninterruptedRun) {
   EXPECT_EQ(Table(parts / "history.csv").times().back(), 3);
   const Summary resumed = run(config, {.output = parts.string(), .resume = true});
   ASSERT_EQ(resumed.exit_status, 0) << resumed.message;
-  for (const char* file : {"history.csv", "steps.csv", "fields.pvd"})
+  for (const char* file : {"history.csv", "fields.pvd"})
     EXPECT_EQ(read_text(parts / file), read_text(whole / file)) << file;
+  EXPECT_EQ(Table(parts / "steps.csv").times(), Table(whole / "steps.csv").times());
 }
 
 TEST(ResumeAtOnce, FromAnInterruptionBeforeTheFirstStep) {
