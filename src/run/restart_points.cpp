@@ -7,9 +7,10 @@
 namespace creepcontact::run {
 
 bool RestartPoints::is_worth_keeping(std::size_t size) const {
-  constexpr double long_state = 20000, seconds = 1;
+  constexpr std::size_t long_state = 20000;
+  constexpr double seconds = 1;
   const bool is_late = std::chrono::steady_clock::now() - kept_ > std::chrono::duration<double>(seconds);
-  return files_.team().any(is_late || static_cast<double>(size) < long_state);
+  return files_.team().any(is_late || size < long_state);
 }
 
 void RestartPoints::keep(io::Checkpoint here) {

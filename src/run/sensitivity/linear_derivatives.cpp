@@ -159,13 +159,14 @@ void LinearDerivatives::rate(double t, std::span<const double> whole, std::span<
   const auto lap = watch_.lap(Part::material);
   const creep::BodyLaws& laws = base().laws();
   std::vector<double> with_more, with_less;
-  std::vector<material::StressTangent> tangents;
+  std::vector<material::StressTangent> found;
   laws.for_each_creeping([&](std::size_t b, const creep::MaterialPoints& points) {
     const creep::PointsState state = laws.state(b, at, at.y);
-    if (points.has_closed_form()) {
-      tangents.resize(points.size());
-      points.tangents(state, tangents);
+    if (points.has_closed_form() && !at.has_tangents) {
+      found.resize(points.size());
+      points.tangents(state, found);
     }
+    const std::vector<material::StressTangent>& tangents = at.has_tangents ? at.tangents[b] : found;
     for (std::size_t k = 0; k < values().size(); ++k) {
       const std::span<double> into = laws.layout().part(b, block(rate, k + 1));
       if (points.has_closed_form())

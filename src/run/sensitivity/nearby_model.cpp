@@ -28,8 +28,7 @@ NearbyModel::NearbyModel(const config::Config& config, double sign, Kept& kept, 
 }
 
 const std::vector<mechanics::BodyConditions>& NearbyModel::conditions(const creep::Equilibrium& at) {
-  if (updated_to_ != at.time) model_.assembly.update(at.time, at_.equilibrium.conditions);
-  updated_to_ = at.time;
+  model_.assembly.update(at.time, at_.equilibrium.conditions);
   return at_.equilibrium.conditions;
 }
 

@@ -2,7 +2,6 @@
 /// A model with a little more or less of a value, in which nothing is solved: it is evaluated at states of the run.
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "changed_values.hpp"
@@ -62,7 +61,6 @@ class NearbyModel {
   creep::BodyLaws laws_;
   contact::InterfaceRows rows_;
   creep::Evaluation at_;
-  std::optional<double> updated_to_;  // time of the conditions
 };
 
 }  // namespace creepcontact::run
